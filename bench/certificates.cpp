@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and plain double of the
-// same formula.
+// Nanoseconds per half width: each stage, each family of bi-cells, single calls and batches, and the same formula in
+// plain double.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/predicate/filtered.h>
 
@@ -155,7 +155,7 @@ void half_width_exact(benchmark::State& state) {
     one_by_one<d>(state, [](const auto& x) { return empty_sphere_exact(x).tolerance; });
 }
 template <int d>
-void half_width_ladder(benchmark::State& state) {
+void half_width_filtered(benchmark::State& state) {
     one_by_one<d>(state, [](const auto& x) { return evaluate_empty_sphere(x).tolerance; });
 }
 #define EVERY_FAMILY(function)                                         \
@@ -166,7 +166,7 @@ EVERY_FAMILY(half_width_filter);
 EVERY_FAMILY(half_width_interval_guard_per_call);
 EVERY_FAMILY(half_width_interval_guard_per_batch);
 EVERY_FAMILY(half_width_exact);
-EVERY_FAMILY(half_width_ladder);
+EVERY_FAMILY(half_width_filtered);
 
 /// range(0): family, range(1): Mode.
 template <int d>

@@ -35,7 +35,7 @@ Points shaken(Points x, double reach, std::uint64_t seed) {
 
 void vertices(benchmark::State& state) { state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(n)); }
 
-/// Two time steps so near each other that no tolerance fails.
+/// Two frames so close that no vertex leaves its tolerance.
 std::array<Points, 2> within_tolerance(const Moving_delaunay_2& dt, const Points& x) {
     std::array<Points, 2> y{x, x};
     for (std::size_t i = 0; i < n; ++i) {
@@ -58,7 +58,8 @@ void every_vertex_passes(benchmark::State& state) {
 }
 BENCHMARK(every_vertex_passes);
 
-/// What no filter can avoid: read where every vertex is, where it was fixed and how far it may go, and compare.
+/// The minimum work of any strategy with tolerances: read the position, fixed position and tolerance of every vertex,
+/// and compare.
 void read_and_compare(benchmark::State& state) {
     const Points x = uniform();
     const Moving_delaunay_2 dt(x);

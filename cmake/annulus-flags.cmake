@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs say
-# nothing about a build with one of them, so the configuration stops. What a compiler sets without a flag here is
-# found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
+# Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs do not
+# apply to a build with one of them, so the configuration stops. Modes that a compiler sets without one of these flags
+# are found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
 #
-# Flags that the library sets itself, behind whatever comes from outside, are not in the list: -ffp-contract,
-# -frounding-math.
+# Flags that the library sets itself, after all flags from outside, are not in the list: -ffp-contract, -frounding-math.
 
-# Stops where `flags`, a string or a list, has one of them. `origin` names the variable or property.
+# Stops if `flags`, a string or a list, has one of them. `origin` names the variable or property.
 function(annulus_refuse_flags flags origin)
     string(REPLACE ";" " " words "${flags}")
     set(refused
@@ -22,8 +21,8 @@ function(annulus_refuse_flags flags origin)
     endif()
 endfunction()
 
-# Every place from which a flag reaches our files: the variables for C++, those of each build type, also of types that
-# are not CMake's own, and what add_compile_options of this and of a parent project has set.
+# All places from which a flag reaches our files: the variables for C++, those of each build type, including types that
+# are not CMake's own, and add_compile_options of this and of a parent project.
 function(annulus_refuse_all_flags)
     annulus_refuse_flags("${CMAKE_CXX_FLAGS}" CMAKE_CXX_FLAGS)
     string(TOUPPER "DEBUG;RELEASE;RELWITHDEBINFO;MINSIZEREL;${CMAKE_BUILD_TYPE};${CMAKE_CONFIGURATION_TYPES}" types)
@@ -35,8 +34,8 @@ function(annulus_refuse_all_flags)
     annulus_refuse_flags("${options}" add_compile_options)
 endfunction()
 
-# Stops where `id`, as CMAKE_CXX_COMPILER_ID has it, is a compiler of which the flags that keep IEEE arithmetic are
-# not known here: it would get none of them, and nothing would say so.
+# Stops if `id`, in the form of CMAKE_CXX_COMPILER_ID, is a compiler whose flags for IEEE arithmetic are not known here:
+# it would silently get none of them.
 function(annulus_refuse_compiler id)
     if(NOT id MATCHES "^(GNU|Clang|AppleClang)$")
         message(FATAL_ERROR "annulus proves its answers under IEEE arithmetic, and has the flags for it of GCC and "

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The target annulus::gmp: GMP, its C++ classes and MPFR, which bring no CMake configuration of their own. Installed
-# beside annulusConfig.cmake, so that the library and its users find them the same way.
+# The target annulus::gmp: GMP, its C++ classes and MPFR, which have no CMake configuration. Installed beside
+# annulusConfig.cmake, so that the library and its users find them the same way.
 
 if(NOT TARGET annulus::gmp)
     find_path(ANNULUS_GMPXX_INCLUDE_DIR gmpxx.h)

@@ -15,7 +15,7 @@ if(TARGET annulus-c)
             LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
             RUNTIME COMPONENT runtime ARCHIVE COMPONENT development)
     install(EXPORT annulusCTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
-    # For those who do not build by CMake. (C++ programs need CGAL's flags and targets, which have no pkg-config.)
+    # For programs that are not built by CMake. (C++ programs need CGAL's flags and targets, which have no pkg-config.)
     file(RELATIVE_PATH annulus_pc_to_prefix "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
     configure_file(cmake/annulus_c.pc.in annulus_c.pc @ONLY)
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulus_c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cpack: one .deb for each component, from a build like that of tools/packages. Names and what they hold follow Debian:
+# cpack: one .deb for each component, from a build like that of tools/packages. Names and contents follow Debian:
 #
 #   runtime      libannulus-c0      the C interface that programs load, named by its soname
 #   development  libannulus-dev     headers, static libraries, CMake's files, pkg-config's for C
 #   tool         annulus            the tool, its man pages and completion
 #   python       python3-annulus    the Python package
 #
-# What a package needs at run time is read off its shared libraries (dpkg-shlibdeps); what headers need stands here,
-# as in tools/setup.
+# Run-time dependencies of a package are read from its shared libraries (dpkg-shlibdeps); those of headers are listed
+# here, as in tools/setup.
 if(NOT PROJECT_IS_TOP_LEVEL)
     return()
 endif()
@@ -15,7 +15,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME annulus)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
-# Who makes the packages, as Debian's tools ask for it.
+# The maintainer of the packages, which Debian's tools require.
 if(DEFINED ENV{DEBEMAIL})
     set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 else()
@@ -24,7 +24,7 @@ endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-# The permissions of directories are Debian's, whatever the umask of who builds.
+# The permissions of directories are Debian's, whatever the builder's umask.
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
@@ -67,7 +67,7 @@ endfunction()
 
 annulus_package(runtime libannulus-c0 libs "Delaunay triangulations of moving points, C interface"
     "This package has the shared library that programs in C, Fortran, Julia or Rust\nload." "")
-# Packages that are linked with it depend on it; the loader hears of it.
+# Packages that are linked with it depend on it; the loader's cache is updated.
 file(CONFIGURE OUTPUT packages/shlibs CONTENT "libannulus_c 0 libannulus-c0 (>= ${PROJECT_VERSION})\n")
 file(CONFIGURE OUTPUT packages/triggers CONTENT "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What tests, the model in fuzz/common/ and the fuzz targets share: options and two precompiled headers.
+# Shared by tests, the model in fuzz/common/ and the fuzz targets: options and two precompiled headers.
 find_package(Catch2 3 QUIET)
 if(NOT Catch2_FOUND)
     find_package(Catch2 2.13 REQUIRED)
 endif()
 find_package(rapidcheck REQUIRED)
 
-# Optimised a little: more of their time goes into compiling than into running, and what runs long is in the library.
+# Optimised a little: compiling takes longer than running, and most of the running time is in the library.
 add_library(annulus-test-options INTERFACE)
 target_compile_options(annulus-test-options INTERFACE $<$<CONFIG:Release>:-O1>
     "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
-if(ANNULUS_UNITY)  # as annulus_unite says; and g++ 12 has more such warnings the more it inlines
+if(ANNULUS_UNITY)  # see annulus_unite; the more g++ 12 inlines, the more such warnings it has
     target_compile_options(annulus-test-options INTERFACE
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-restrict;-Wno-array-bounds>"
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow;-Wno-maybe-uninitialized>")
 endif()
 target_link_libraries(annulus-test-options INTERFACE Catch2::Catch2 rapidcheck annulus_warnings)
 
-# Precompiled headers: other people's only, which never change. annulus-headers has those of the test libraries,
-# annulus-headers-cgal CGAL's too, which cost six seconds wherever they are parsed and one to load. Whoever takes them
+# Precompiled headers: only those of other projects, which never change. annulus-headers has those of the test
+# libraries, annulus-headers-cgal also CGAL's, which take six seconds to parse and one to load. Targets that use them
 # must have the same options. ccache takes files with a precompiled header if CCACHE_SLOPPINESS has pch_defines and
 # time_macros, as in the build presets, and Clang leaves out the time stamp.
 set(annulus_test_headers <catch2/catch.hpp> <rapidcheck.h>)
@@ -31,8 +31,8 @@ set(annulus_cgal_headers
     <CGAL/Delaunay_triangulation_3.h> <CGAL/Triangulation_vertex_base_with_info_2.h>
     <CGAL/Triangulation_vertex_base_with_info_3.h> <CGAL/Delaunay_triangulation_cell_base_3.h>)
 file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is wanted.\n")
-# Where fuzz targets are built they and their model have a header of their own: files of tests do not count there what
-# they reach, and compile in three quarters of the time. (With -O0 they would in a third, and run for twice as long.)
+# Where fuzz targets are built, they and their model have a separate header: there test files are compiled without
+# coverage counters, in three quarters of the time. (With -O0 they would take a third, and run twice as long.)
 set(annulus_header_targets annulus-headers annulus-headers-cgal)
 set(annulus_fuzz_headers annulus-headers-cgal)
 if(ANNULUS_BUILD_FUZZ)
@@ -69,7 +69,7 @@ function(annulus_test_target target headers library)
     target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
-# Takes out of a list the files that include what this build has not.
+# Removes from a list the files that include libraries which this build does not have.
 function(annulus_keep_what_links list)
     set(kept "")
     set(missing "no such header")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Four programs. `annulus` starts the three others for `annulus nodt`, `annulus sweep` and `annulus reproduce`: what
-# reads specifications, MPI, and the study of the paper are theirs alone, and CGAL's Mesh_3, which takes a minute to
-# compile, is annulus-nodt's and annulus-reproduce's. So the other subcommands are there in half the time.
+# Four programs. `annulus` starts the three others for `annulus nodt`, `annulus sweep` and `annulus reproduce`: only
+# these contain the reader of specifications, MPI and the study of the paper, and only annulus-nodt and
+# annulus-reproduce contain CGAL's Mesh_3, which takes a minute to compile. So the other subcommands are built in half
+# the time.
 find_package(CLI11 2.1 REQUIRED)
 
 # ---- The modules experiment, of annulus-sweep, and reproduction, of annulus-reproduce ---------------
@@ -30,7 +31,7 @@ if(ANNULUS_BUILD_STUDIES)
     add_library(annulus-reproduction STATIC EXCLUDE_FROM_ALL ${annulus_reproduction_sources})
     annulus_describe(annulus-reproduction PRIVATE)
     target_link_libraries(annulus-reproduction PUBLIC annulus-toolkit)
-    # What races, ours and CGAL's alike, as fast as the library.
+    # The code that is benchmarked, ours and CGAL's alike, is optimised like the library.
     target_compile_options(annulus-reproduction PRIVATE
         $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-fno-math-errno> $<$<CONFIG:Release>:-O3>)
     annulus_unite(annulus-reproduction reproduction "/reproduction/[a-z_]*[.]cpp$")
@@ -45,8 +46,8 @@ function(annulus_program target)
     annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")
 endfunction()
 
-# The library without what only natural ODT needs and without CGAL's view, which the tool has no use for: the same
-# objects, in archives that are there as soon as these are.
+# The library without the parts for natural ODT and without CGAL's view, which the tool does not need: the same objects,
+# in archives that are ready as soon as these objects are.
 add_library(annulus-tool-core STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-core-objects>
             $<TARGET_OBJECTS:annulus-arithmetic>)
 add_library(annulus-tool-toolkit STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-toolkit-objects>)
@@ -69,7 +70,7 @@ set(annulus_sweep_sources src/annulus/cli/sweep.cpp src/annulus/cli/sweep_main.c
 set(annulus_reproduce_sources src/annulus/cli/reproduce.cpp src/annulus/cli/reproduce_main.cpp
     src/annulus/cli/reproduction_scenes.cpp)
 set(annulus_solid_scene_sources src/annulus/cli/guided_nodt.cpp src/annulus/cli/nodt_scene.cpp)
-# What all share: arguments, files, and the scenes of motions.
+# Shared by all programs: arguments, files, and the scenes of motions.
 set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
 /(compare|files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|replay_scene|tracker)[.]cpp$")
@@ -83,7 +84,7 @@ add_executable(annulus-cli ${annulus_cli_sources})
 annulus_program(annulus-cli annulus-tool-toolkit)
 target_link_libraries(annulus-cli PRIVATE annulus-scenes)
 set_target_properties(annulus-cli PROPERTIES OUTPUT_NAME annulus)
-# Where installed companions lie, seen from the directory above that of `annulus`.
+# The directory of the installed companion programs, relative to the directory above that of `annulus`.
 target_compile_definitions(annulus-cli PRIVATE ANNULUS_LIBEXEC="${CMAKE_INSTALL_LIBEXECDIR}/annulus")
 
 add_library(annulus-solid-scenes STATIC EXCLUDE_FROM_ALL ${annulus_solid_scene_sources}

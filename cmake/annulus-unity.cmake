@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# ANNULUS_UNITY: which files are compiled together. Parsing the headers of the standard library, of CGAL, CLI11 and
-# JSON costs most files more than what is in them. The names in unnamed namespaces of a group differ; a file with
-# names of its own stays alone, as do files with flags of their own (CMake keeps those apart).
+# ANNULUS_UNITY: which files are compiled together. For most files parsing the headers of the standard library, CGAL,
+# CLI11 and JSON takes longer than their own code. The names in unnamed namespaces of a group differ; a file whose names
+# clash is compiled alone, as are files with special flags (CMake separates those).
 
 # The sources of `target` that match PATTERN become one piece, GROUP.
 function(annulus_unite target group pattern)
@@ -12,8 +12,8 @@ function(annulus_unite target group pattern)
     list(FILTER sources INCLUDE REGEX "${pattern}")
     set_source_files_properties(${sources} PROPERTIES UNITY_GROUP ${group})
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    # g++ takes an unnamed namespace of an included file for one that several files see; g++ 12 has false warnings
-    # about the copying of strings where much is inlined.
+    # g++ warns of an unnamed namespace in an included file as if it were a header; g++ 12 has false warnings about the
+    # copying of strings where much is inlined.
     target_compile_options(${target} PRIVATE "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-restrict>")
 endfunction()
 
@@ -26,16 +26,15 @@ if(ANNULUS_BUILD_TOOLKIT AND NOT ANNULUS_CORE_ONLY)
     annulus_unite(annulus-toolkit-objects plane "/motion/(domain_2|sampling_2)[.]cpp$")
     annulus_unite(annulus-solids solids "/(motion|formats)/[a-z_0-9]*[.]cpp$")
     annulus_unite(annulus-solids surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
-    # CGAL's Mesh_3 takes a minute by itself; the others have names that others of their module have, too.
+    # CGAL's Mesh_3 takes a minute alone; the other files have names that occur elsewhere in their module.
     foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv
             formats/write_frames formats/text_input formats/xyz_guess)
         set_source_files_properties(src/annulus/${alone}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endforeach()
 endif()
 
-# ANNULUS_UNITE_CORE: the modules mesh, kernel and engine in so many pieces, for builds whose speed is measured by
-# nothing. It halves what compiling them takes. A class that several files define is instantiated in each, so that
-# these are of different pieces.
+# ANNULUS_UNITE_CORE: the modules mesh, kernel and engine in this many pieces, for builds whose speed does not matter.
+# It halves their compile time. Files that instantiate the same class are in different pieces.
 function(annulus_unite_core target)
     if(NOT ANNULUS_UNITE_CORE)
         return()
@@ -50,7 +49,7 @@ function(annulus_unite_core target)
         endforeach()
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources INCLUDE REGEX "/annulus/${module}/[a-z_0-9]*[.]cpp$")
-        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates)[.]cpp$")  # names of others of their module
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates)[.]cpp$")  # names clash
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")
@@ -80,9 +79,8 @@ function(annulus_unite_core target)
 endfunction()
 annulus_unite_core(annulus-core-objects)
 
-# ANNULUS_PRECOMPILE: what files of the core parse of the standard library and of Boost, two fifths of what compiling
-# them takes, is parsed once. What g++ believes about code of others it does not say where it is a system header's,
-# but does once it comes precompiled.
+# ANNULUS_PRECOMPILE: headers of the standard library and of Boost, two fifths of the compile time of the core, are
+# parsed once. g++ suppresses warnings about system headers, but not once they are precompiled.
 set(annulus_quiet_about_precompiled
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;\
 -Wno-maybe-uninitialized>")
@@ -102,9 +100,9 @@ if(ANNULUS_PRECOMPILE)
 endif()
 
 # Tests: the files of LIST become pieces of at most SIZE files of one folder, for a build that compiles all of them
-# anyway: what they include is parsed once a piece, and templates are instantiated once. Names of two files may be the
-# same, so each file is in a namespace of its own, after everything that any of them includes. A file that opens a
-# namespace that others know, has conditional includes or no test stays alone.
+# anyway: their includes are parsed once per piece, and templates are instantiated once. Two files may have the same
+# names, so each file is in its own namespace, after all includes of the piece. A file that opens a namespace which
+# others use, has conditional includes or has no test is compiled alone.
 function(annulus_unite_tests list size)
     if(NOT ANNULUS_UNITY)
         return()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines in C++ of README.md: points move, and the triangulation follows.
+// The C++ example of README.md: points move, and the triangulation follows.
 #include <annulus/moving_delaunay_2.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws plots with the library's own svg_plot, each as an SVG file that stands by itself.
+// Draws plots with the library's svg_plot, each as a self-contained SVG file.
 //
 // usage: example-plots [PLOTS.json DIRECTORY]
 //
@@ -37,7 +37,7 @@ annulus::Plot plot_of(const Json& json) {
     return plot;
 }
 
-/// With what a page has for all its plots: the style, a ground to draw on.
+/// Adds the style and the background, which a page has once for all its plots.
 std::string standing_alone(const std::string& svg) {
     const std::size_t end = svg.find('>') + 1;
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"780\" height=\"540\"" + svg.substr(4, end - 4) +

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of bi-cells in 3D that are far from degenerate and still leave the filter: what it is that the filter cannot
-// tell. Each is asked for its sign alone, for the tolerance of its four annuli alone, and for all that it needs,
-// which may take the signs of the sums of lambda.
+// Bi-cells in 3D that are far from degenerate but that the filter does not decide: shows what the filter cannot decide.
+// For each it evaluates the sign alone, the tolerance of the four annuli alone, and everything, which may include the
+// signs of the sums of lambda.
 //
 // usage: example-wide_bicells [KIND POINTS SEED [DIGITS]]
 //
-// KIND, POINTS and SEED are those of `annulus generate`; DIGITS behind the point, to which coordinates are rounded.
-// Without arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate,
-// or more. docs/degeneracy.md quotes what it prints.
+// KIND, POINTS and SEED are those of `annulus generate`; coordinates are rounded to DIGITS after the point. Without
+// arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate, or more.
+// docs/degeneracy.md quotes what it prints.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/motion/generated_motion.h>
 #include <annulus/predicate/filtered_3.h>
@@ -34,7 +34,7 @@ double rounded(double x, const char* digits) {
     return std::strtod(text, nullptr) + 0.0;
 }
 
-/// The longest distance of two of the points over the shortest.
+/// The longest distance between two of the points over the shortest.
 double stretch(const Tuple<3, 5>& t) {
     double shortest = INFINITY, longest = 0;
     for (std::size_t i = 0; i < t.size(); ++i)
@@ -47,7 +47,7 @@ double stretch(const Tuple<3, 5>& t) {
     return longest / shortest;
 }
 
-/// What decides of one, in words.
+/// A description of what decides a bi-cell.
 std::string ways(const Tuple<3, 5>& t) {
     const Stage sign = evaluate_empty_sphere(t, false, Cell_widths::never).stage,
                 annuli = evaluate_empty_sphere(t, true, Cell_widths::never).stage, all = evaluate_empty_sphere(t).stage;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> up to eight points of the plane or of space and a Delaunay triangulation of them, spoilt by dropping,
-// doubling, turning over, flipping and renaming -> the audit and brute force (common/brute_force.h), which must
-// agree. A find is printed as code for tests/mesh/brute_force_test.cpp.
+// Bytes -> up to eight points in 2D or 3D and a Delaunay triangulation of them, damaged by dropping, doubling,
+// reversing, flipping and renumbering -> the audit and brute force (common/brute_force.h), which must agree. A find is
+// printed as code for tests/mesh/brute_force_test.cpp.
 #include "common/audit_case.h"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> points of the plane or of space, random, of a lattice, rational, cospherical, collinear or coplanar, a mesh
-// of them, and changes of it: insertions, removals, moves, flips that are repaired, rebuilds by several threads
-// (common/mesh_case.h) -> its cells after each are those of CGAL's triangulation.
+// Bytes -> points in 2D or 3D, random, of a lattice, rational, cospherical, collinear or coplanar, a mesh of them, and
+// changes of it: insertions, removals, moves, flips that are repaired, rebuilds by several threads (common/mesh_case.h)
+// -> its cells after each are those of CGAL's triangulation.
 #include "common/mesh_case.h"
 
 #include <cstdlib>

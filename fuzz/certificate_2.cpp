@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> four points of the plane -> every stage of the filtered predicate against rational arithmetic: signs, and on
-// which side of the half width a tolerance is; and what stands beside the filtered predicate: enclosures, circles asked
-// many times, the perturbation. A find is printed as the four points.
+// Bytes -> four points in 2D -> every stage of the filtered predicate compared with rational arithmetic: signs, and on
+// which side of the half width a tolerance is; also enclosures, circles that are tested many times, and the
+// perturbation. A find is printed as the four points.
 #include "common/decode.h"
 #include "common/rational_2.h"
-#include "common/verdict_fault.h"
+#include "common/value_fault.h"
 
 #include <annulus/predicate/batch.h>
 #include <annulus/predicate/circumcircle_2.h>
@@ -65,7 +65,7 @@ std::string check_bicell(const Tuple<2, 4>& x) {
         if (circle.positive() && circle.excludes(*x[turned ? 3 : 2]) && truth.sign() <= 0)
             return "a circle excludes what is not outside";
     }
-    // Cocircular: one diagonal or the other, never both or neither, wherever the four are in convex position.
+    // Cocircular: exactly one of the two diagonals where the four points are in convex position.
     if (truth.sign() == 0) {
         const Tuple<2, 4> flipped{x[2], x[3], x[1], x[0]};
         const int sign = perturbed_sign(x);

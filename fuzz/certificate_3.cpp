@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> five points of space -> every stage of the filtered predicate against rational arithmetic: signs, and on
+// Bytes -> five points in 3D -> every stage of the filtered predicate compared with rational arithmetic: signs, and on
 // which side of the half width a tolerance is. A find is printed as the five points.
 #include "common/decode.h"
 #include "common/rational_3.h"
-#include "common/verdict_fault.h"
+#include "common/value_fault.h"
 
 #include <annulus/predicate/batch.h>
 #include <annulus/predicate/half_width.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip.
-// What a reader returns keeps what its header promises; what it throws is an Input_error in one line; memory is
-// decided by bytes that are there.
+// The result of a reader satisfies its header's contract; exceptions are an Input_error in one line; allocations are
+// bounded by the bytes of the file.
 #include <annulus/formats/frame_points.h>
 #include <annulus/formats/read_gray_image.h>
 #include <annulus/formats/read_image.h>
@@ -106,7 +106,7 @@ void check_frame(const Recorded_motion& motion, const Frame& frame) {
     require(refused == (merged.merged > 0), "points at one place are refused, others not");
 }
 
-/// What is read frame by frame is what is read at once, and what is_flat says of it is so.
+/// Reading frame by frame gives the same as reading at once, and is_flat is correct.
 void check_motion(const fs::path& file, const Recorded_motion& m, const Motion_options& options) {
     std::size_t all = 0;
     for (const Frame& f : m.frames) {
@@ -257,7 +257,7 @@ std::string gzip(std::string_view text) {
     return out;
 }
 
-/// A directory of this process, gone at its end.
+/// A directory of this process, removed at its end.
 class Scratch {
   public:
     Scratch() : path_(fs::temp_directory_path() / ("annulus-fuzz-readers-" + std::to_string(::getpid()))) {

@@ -25,7 +25,7 @@ int main(int argc, char* argv[]) {
     }
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
-        std::cout << file.string() << std::endl;  // the last one named is the one that aborts
+        std::cout << file.string() << std::endl;  // the last one printed is the one that aborts
         std::ifstream in(file, std::ios::binary);
         const std::string bytes((std::istreambuf_iterator<char>(in)), {});
         if (!in) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Read by ctest, which starts tests of a high COST first. What took more than two seconds: `tools/check` prints the
-# list. A name that has gone does no harm.
+# Read by ctest, which starts tests of a high COST first. Tests of more than two seconds: `tools/check` prints the list.
+# An obsolete name does no harm.
 foreach(name IN ITEMS
         "After any calls in space under any strategy the audit passes and the cells are those of a rebuild"
         "A failed call leaves everything as it was, with the right code"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the tests with the seed of tests/seed for Catch and RapidCheck, printed first, and at the same addresses: the
 // same cases every time. ANNULUS_TEST_SEED is another one (tools/explore); `--rng-seed` and a `seed=` in RC_PARAMS go
-// before both. ANNULUS_TEST_MULTIPLIER makes every property and every loop over repeats(n) so many times longer or
-// shorter; a `max_success=` in RC_PARAMS goes before it.
+// before both. ANNULUS_TEST_MULTIPLIER multiplies the length of every property and every loop over repeats(n); a
+// `max_success=` in RC_PARAMS has precedence.
 #define CATCH_CONFIG_RUNNER
 #include <support/catch.h>
 #include <support/repeats.h>

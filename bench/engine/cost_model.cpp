@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the costs of engine/cost_model.h are on this machine, in cells looked at. One measurement of each in every
-// repetition, with another seed, and all divided by what looking at a cell took in the same repetition
-// (bench/calibrate makes a table of it).
+// Measures the costs of engine/cost_model.h on this machine, in cells tested. Every repetition measures each cost once,
+// with another seed, and divides it by the time of testing a cell in the same repetition (bench/calibrate makes a table
+// of the results).
 #include "timing.h"
 #include "workbench.h"
 
@@ -52,8 +52,8 @@ class Repetition {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// What looking at a cell takes, of all of them, in the order that they have: again before each part, since a
-    /// machine is not always as fast.
+    /// The time of testing a cell, over all cells in their order: measured again before each part, since the speed of a
+    /// machine varies.
     void find_unit() {
         const auto& table = w_.mesh().table();
         Sign_evaluator<d> signs(table);
@@ -66,7 +66,7 @@ class Repetition {
         unit_ = s / budget.spent;
     }
 
-    /// What is counted, and what is done around one vertex.
+    /// Counted work, and work around one vertex.
     void counts() {
         const auto& table = w_.mesh().table();
         std::size_t cells = 0;
@@ -117,14 +117,14 @@ class Repetition {
     }
 
     void recomputation() {
-        out_["settling"] = vertex(least(3, [&] { w_.recompute_tolerances(); }));
+        out_["recomputation"] = vertex(least(3, [&] { w_.recompute_tolerances(); }));
         w_.walk(1e-9);
         (void)w_.step();
         pass_ = least(5, [&] { (void)w_.step(); });
     }
 
-    /// Steps in which some tolerances fail and others do not. Failed vertices and evaluated certificates come
-    /// together in every motion, so that no fit tells their costs apart: they keep their ratio.
+    /// Steps in which some tolerances fail and others do not. The numbers of failed vertices and evaluated certificates
+    /// are proportional in every motion, so that no fit separates their costs: they keep their ratio.
     void steps_of_tolerances() {
         Factor factor;
         Factor expected;
@@ -145,7 +145,7 @@ class Repetition {
                     if (report.tolerance_steps != 1 || report.tolerance_recomputations != 0 ||
                         report.moves.rebuilt != 0 || !w_.strategy().keeps_tolerances())
                         break;
-                    if (k < 3) continue;  // just after recomputation of tolerances nothing fails
+                    if (k < 3) continue;  // nothing fails just after tolerances were recomputed
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
                     factor.add(Cost_model<d>::failure * failed +
                                    Cost_model<d>::evaluation * static_cast<double>(report.evaluated),
@@ -162,7 +162,7 @@ class Repetition {
         out_["expected"] = expected.value();
     }
 
-    /// As the engine guesses it: the mean of way / tolerance over bi-cells, of a step that begins where `before` says.
+    /// The engine's estimate: the mean of displacement / tolerance over bi-cells, of a step that begins at `before`.
     double expiring_share(const bench::Points<d>& before) {
         const auto& table = w_.mesh().table();
         const auto& x = w_.points();
@@ -186,12 +186,12 @@ class Repetition {
         return sum / static_cast<double>(std::max<std::size_t>(sampled, 1));
     }
 
-    /// Without tolerances: when all holds, and by what a sample of all cells says before. Violated facets and
-    /// inverted cells come together, too.
+    /// Without tolerances: when all certificates hold, and by the estimate from a sample of all cells. The numbers of
+    /// violated facets and inverted cells are proportional, too.
     void steps_of_signs() {
         w_.drop_tolerances();
         double hold = 1e9;
-        for (int k = 0; k < 6; ++k) {  // the eighth looks whether tolerances would pay
+        for (int k = 0; k < 6; ++k) {  // the eighth step tests whether tolerances would pay
             w_.walk(1e-9);
             Move_report report;
             const double t = seconds([&] { report = w_.step(); });
@@ -218,7 +218,7 @@ class Repetition {
         out_["inverted"] = factor.value() * Cost_model<d>::inverted;
     }
 
-    /// Certificates that the filter stage cannot tell: a lattice with noise of an ulp.
+    /// Certificates that the filter stage cannot decide: a lattice with noise of an ulp.
     void doubtful_signs() {
         Workbench<d> lattice("lattice", n_ / 2, seed_);
         const Sample sample = annulus::sample_cells<d>(lattice.mesh().table(), lattice.points(), 10 * n_);
@@ -242,8 +242,8 @@ class Repetition {
         out_["unclear"] = (s / unit_ - static_cast<double>(cells)) / unclear;
     }
 
-    /// Tolerances of bi-cells near a sphere, beside those that the filter stage gives: of points so far off that
-    /// intervals tell most, and so near that none does.
+    /// Tolerances of bi-cells near a sphere, compared with those of the filter stage: with points so far off that
+    /// intervals decide most, and so near that they decide none.
     void later_stages() {
         const auto filter = bicells(1e-3);
         const auto middle = bicells(d == 2 ? 1e-12 : 1e-10);
@@ -260,7 +260,7 @@ class Repetition {
     struct Bicells {
         double seconds, count, interval, exact;
     };
-    /// All bi-cells of points that far off the unit sphere, and how many answers each stage gave.
+    /// All bi-cells of points at this distance from the unit sphere, and the number decided by each stage.
     Bicells bicells(double noise) {
         bench::Random random(seed_);
         auto x = bench::Scene<d>("sphere", "walk", 400, 0.0, seed_).points();

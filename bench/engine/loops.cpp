@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hot loops, once each on fixed inputs, between marks that Callgrind knows (bench/instructions runs it). By parts
-// of the engine, since the engine itself refuses to work where directed rounding has no effect, as under Valgrind.
-// Intervals are a little too narrow there, which here nobody relies on, and which is no other number of instructions
-// but for some certificates in a million.
+// The hot loops, each once on fixed inputs, between markers for Callgrind (bench/instructions runs it). It uses the
+// parts of the engine, since the engine itself refuses to run where directed rounding has no effect, as under Valgrind.
+// Intervals are a little too narrow there. Nothing here relies on them, and the number of instructions differs only for
+// a few certificates in a million.
 #include "workbench.h"
 
 #include <annulus/engine/sign_evaluator.h>
@@ -17,7 +17,7 @@ namespace {
 using namespace annulus;
 using bench::Workbench;
 
-/// Counts f, which returns of how many units.
+/// Counts the instructions of f, which returns the number of units.
 template <class F>
 void count(int d, const std::string& name, const char* unit, F f) {
     const std::string mark = std::to_string(d) + "D " + name;
@@ -55,11 +55,11 @@ void loops(std::size_t n) {
     const bench::Points<d> start = w.points();
     count(d, "construction", "vertex", [&] { return fresh.build(start), all; });
     count(d, "rebuild", "vertex", [&] { return fresh.rebuild(start), all; });
-    count(d, "settling", "vertex", [&] { return w.recompute_tolerances(), all; });
+    count(d, "recomputation", "vertex", [&] { return w.recompute_tolerances(), all; });
     w.walk(1e-9);
     count(d, "step, all pass", "vertex", [&] { return (void)w.step(), all; });
 
-    // Tolerances that expire, hardly ever with a flip.
+    // Expiring tolerances, hardly ever with a flip.
     const double short_way = d == 2 ? 1e-3 : 1e-4;
     (void)follow(w, way(w, short_way));
     const auto near = way(w, short_way);
@@ -75,7 +75,7 @@ void loops(std::size_t n) {
     });
     w.walk(1e-9);
     count(d, "step of signs, all hold", "vertex", [&] { return (void)w.step(), all; });
-    // With what the signs around them cost.
+    // Including the signs around them.
     w.drop_tolerances();
     const auto far = way(w, 0.03);
     count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).flips); });

@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// After others have used the caches, as they do between two time steps.
+/// Replaces the contents of the caches, as other code does between two time steps.
 inline double seconds(const std::function<void()>& f) {
     static std::vector<std::uint64_t> others(std::size_t{1} << 20);
     for (std::uint64_t& word : others) word += 1;
@@ -21,7 +21,7 @@ inline double seconds(const std::function<void()>& f) {
     return watch.seconds() - begin;
 }
 
-/// The least of some: what disturbs only adds.
+/// The least of several: disturbances only add time.
 inline double least(int times, const std::function<void()>& f) {
     double best = seconds(f);
     for (int k = 1; k < times; ++k) best = std::min(best, seconds(f));
@@ -36,7 +36,7 @@ class Factor {
         xy_ += x / y;
         xx_ += x / y * (x / y);
     }
-    /// NaN of nothing.
+    /// NaN for an empty list.
     [[nodiscard]] double value() const { return xy_ / xx_; }
 
   private:

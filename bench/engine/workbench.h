@@ -12,14 +12,14 @@
 
 namespace bench {
 
-/// The parts of an engine by themselves: a triangulation of points of a family, and the strategy `strategy` on it. What
-/// Moving_delaunay does but for the door.
+/// The parts of an engine by themselves: a triangulation of points of a family, and the strategy `strategy` on it. The
+/// same as Moving_delaunay without the checks on entry.
 template <int d>
 class Workbench {
   public:
     using Mesh = annulus::Delaunay_mesh<d>;
 
-    /// In the unit of a uniform family in the unit cube, whatever the family.
+    /// For every family in the unit of a uniform family in the unit cube.
     Workbench(std::string_view family, std::size_t n, std::uint64_t seed = 1)
         : random_(seed + 1000),
           x_(Scene<d>(family, "walk", n, 0.0, seed).points()),
@@ -47,7 +47,7 @@ class Workbench {
         strategy_->move_all(x_, report);
         return report;
     }
-    /// Steps so large that tolerances are given up.
+    /// Steps so large that tolerances are dropped.
     void drop_tolerances() {
         for (int k = 0; k < 100 && strategy_->keeps_tolerances(); ++k) {
             walk(0.02);

@@ -16,8 +16,8 @@
 
 namespace bench {
 
-/// What CGAL's own rebuild takes: its insertion of a range, with nothing but the input order at its vertices. That
-/// the pairs are made beforehand, and the object is destroyed afterwards, is not counted.
+/// The time of CGAL's rebuild: insertion of a range, with the input order as the only info at its vertices. Making the
+/// pairs beforehand and destroying the object afterwards are not counted.
 template <int d>
 double cgal_rebuild(const Points<d>& x, Stopwatch watch) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

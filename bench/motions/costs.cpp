@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What does not depend on a motion: construction, by several threads too, memory, a step in which all pass, the move
-// of one vertex; Voronoi volumes. A JSON object a line.
+// Costs that do not depend on a motion: construction, also by several threads, memory, a step in which all vertices
+// pass, the move of one vertex; Voronoi volumes. One JSON object per line.
 #include "families.h"
 #include "stopwatch.h"
 
@@ -72,11 +72,11 @@ void say(const ordered_json& out, const std::string& file) {
     if (!file.empty()) std::ofstream(file, std::ios::app) << out.dump() << '\n';
 }
 
-/// Of an object in the state that steps of `spacings` leave it in.
+/// The memory of an object in the state after steps of `spacings`.
 template <class Moving, int d>
 void costs(const char* name, std::size_t n, double spacings, const std::string& file) {
     bench::Scene<d> scene("uniform", "walk", n, spacings, 1);
-    scene.step();  // so that the arrays of the scene are there before memory is counted
+    scene.step();  // allocates the arrays of the scene before memory is counted
     bench::Points<d> x = scene.points();
     const auto per_vertex = [n](double sum) { return sum / static_cast<double>(n); };
     ordered_json out{{"what", name}, {"dimension", d}, {"points", n}, {"spacings", spacings}};
@@ -111,7 +111,7 @@ void costs(const char* name, std::size_t n, double spacings, const std::string& 
     double sum = 0.0;
     for (int k = 0; k < 31; ++k) {
         pass.push_back(nanoseconds([&] { (void)dt->move_all(std::span<const Coordinates<d>>(x)); }));
-        // What any step has to do: read where the vertices are and are to be, and write that.
+        // The minimum work of a step: read the positions and targets of the vertices, and write the positions.
         static bench::Points<d> here;
         here.resize(n);
         read.push_back(nanoseconds([&] {
@@ -138,7 +138,7 @@ void costs(const char* name, std::size_t n, double spacings, const std::string& 
     say(out, file);
 }
 
-/// Construction by one thread and by some, in turn: the medians, also of the ratios of two in turn.
+/// Construction by one thread and by several, in turn: the medians, also of the ratios of pairs.
 template <class Moving, int d>
 void construction(const char* name, std::size_t n, int threads, const std::string& file) {
     const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);
@@ -168,9 +168,9 @@ void construction(const char* name, std::size_t n, int threads, const std::strin
         file);
 }
 
-/// Voronoi volumes after steps in which `movers` vertices go a hundredth of a spacing: those that a mesh keeps, and
-/// voronoi_volumes of its cells, which are listed beforehand. Medians, also of the ratios of two in turn; whether all
-/// had the same bits.
+/// Voronoi volumes after steps in which `movers` vertices move by a hundredth of a spacing: those that a mesh keeps,
+/// and voronoi_volumes of its cells, which are listed beforehand. Medians, also of the ratios of pairs; and whether all
+/// results had the same bits.
 template <int d>
 void volumes(std::size_t n, std::size_t movers, const std::string& file) {
     const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);

@@ -10,23 +10,23 @@ namespace {
 constexpr double width = 20.0;  // metres, seconds from here on
 constexpr double people = 0.5;  // on a square metre
 constexpr double time_step = 0.02;
-constexpr double relaxation = 0.5;  // to the speed that is wished for
+constexpr double relaxation = 0.5;  // to the desired speed
 constexpr double repulsion = 2.1;   // V / mass, and its range
 constexpr double range = 0.3;
-constexpr double stride_time = 2.0;  // the room that the other's next steps take
+constexpr double stride_time = 2.0;  // the length of the other person's next steps
 constexpr double wall_repulsion = 10.0;
 constexpr double wall_range = 0.2;
-constexpr double out_of_sight = 0.5;  // of forces from those who are not within 100 degrees of where one goes
+constexpr double out_of_sight = 0.5;  // of forces from persons not within 100 degrees of the heading
 constexpr double cosine_of_sight = -0.17364817766693;
-constexpr double most_speed = 1.3;  // of the wished one
-constexpr double sight = 4.0;       // forces from farther away are as good as none
+constexpr double most_speed = 1.3;  // of the desired one
+constexpr double sight = 4.0;       // forces from farther away are negligible
 constexpr double column = 0.6;      // radius
 constexpr double columns_apart = 12.0;
 
 double norm(const annulus::Coordinates<2>& v) { return std::hypot(v[0], v[1]); }
 
-/// What the other at -off pushes with, who walks at speed `pace` in direction `heading`: the gradient of V
-/// exp(-b / range), b the half axis of the ellipse.
+/// The force of another person at -off who walks at speed `pace` in direction `heading`: the gradient of V exp(-b /
+/// range), b the half axis of the ellipse.
 annulus::Coordinates<2> push(const annulus::Coordinates<2>& off, double pace,
                              const annulus::Coordinates<2>& direction) {
     const double ahead = pace * stride_time;
@@ -57,7 +57,7 @@ Crowd::Crowd(std::size_t n, int every, std::uint64_t seed)
         speed_.push_back(wished_speed());
         velocity_.push_back({heading_.back() * speed_.back(), 0.0});
     }
-    // Ten seconds, in which they make way for each other; nobody leaves yet.
+    // Ten seconds of integration, in which no person leaves yet.
     for (int k = 0; k < 500; ++k) {
         integrate();
         for (auto& p : x_) p[0] += p[0] < 0.0 ? length_ : p[0] > length_ ? -length_ : 0.0;
@@ -76,8 +76,7 @@ bool Crowd::is_free(const Point& p) const {
 
 bool Crowd::advance() {
     for (int k = 0; k < every_; ++k) integrate();
-    // Those who have gone out of the corridor leave, and as many come in at the other end. Somebody new gets the
-    // number freed last.
+    // Persons outside the corridor leave, and as many arrive at the other end. A new person gets the index freed last.
     std::vector<std::pair<double, int>> newcomers;
     for (std::size_t i = 0; i < x_.size(); ++i) {
         if (x_[i][0] >= 0.0 && x_[i][0] <= length_) continue;
@@ -113,7 +112,7 @@ void Crowd::integrate() {
         if (pace > most_speed * speed_[i])
             for (double& c : v) c *= most_speed * speed_[i] / pace;
         for (std::size_t k = 0; k < 2; ++k) x_[i][k] += time_step * v[k];
-        // Forces keep people from walls; this is for whom the crowd pushes into one.
+        // Forces keep persons away from walls; this is for one that the crowd pushes into a wall.
         double& y = x_[i][1];
         y = y < 0.0 ? -y : y > width ? 2.0 * width - y : y;
     }
@@ -128,7 +127,7 @@ void Crowd::add_repulsions(Points<2>& force) const {
             const Point direction =
                 pace > 1e-9 ? Point{velocity_[other][0] / pace, velocity_[other][1] / pace} : Point{1.0, 0.0};
             const Point f = push({sign * off[0], sign * off[1]}, pace, direction);
-            // The other is seen in the direction from which the force comes.
+            // The other person is in the direction from which the force comes.
             const double seen = -f[0] * heading_[who] >= norm(f) * cosine_of_sight ? 1.0 : out_of_sight;
             for (std::size_t k = 0; k < 2; ++k) force[who][k] += seen * f[k];
         };

@@ -12,7 +12,7 @@ namespace {
 constexpr double density = 0.8442;
 constexpr double time_step = 0.005;
 constexpr double cut = 2.5;
-constexpr double wall = 50.0;  // what the spring pulls with, a diameter outside of the container
+constexpr double wall = 50.0;  // the force of the spring one diameter outside the container
 
 double square(const annulus::Coordinates<3>& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
 

@@ -10,10 +10,10 @@ namespace bench {
 
 /// Molecular dynamics: a drop of a Lennard-Jones liquid near its triple point (density 0.8442, temperature 0.75,
 /// potential cut at 2.5 diameters) in a spherical container whose wall is a spring, by velocity Verlet with steps of
-/// 0.005, in reduced units: what textbooks begin with. It starts as a crystal, melts at twice the temperature and is
-/// cooled before the first time step. Time steps are `every` steps of integration apart: with 1 they are what a
-/// program that simulates would see (displacements of some 0.007 spacings), with 100 what is commonly written to
-/// files. Displacements are unlike a walk's: persistent for some ten steps, bounded by neighbours for some hundred.
+/// 0.005, in reduced units: the standard example of textbooks. It starts as a crystal, melts at twice the temperature
+/// and is cooled before the first time step. Time steps are `every` steps of integration apart: 1 is the rate of a
+/// simulation program (displacements of some 0.007 spacings), 100 a common rate of trajectory files. Displacements are
+/// unlike a walk's: persistent for some ten steps, bounded by neighbours for some hundred.
 class Dynamics : public Motion<3> {
   public:
     Dynamics(std::size_t n, int every, std::uint64_t seed);

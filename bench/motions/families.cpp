@@ -56,7 +56,7 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
             }
         }
     }
-    // In the order of a curve through space, as those who want speed have them: Morton's.
+    // In the order of a space-filling curve, Morton's, as in programs written for speed.
     std::vector<std::size_t> order(n);
     std::vector<std::uint64_t> code(n, 0);
     double reach = 0.0;
@@ -81,7 +81,7 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
     this->start(std::move(x_), spacing);
 }
 
-/// Back to the surface of the family.
+/// Projects back to the surface of the family.
 template <int d>
 void Scene<d>::keep(std::size_t i) {
     auto& p = x_[i];

@@ -10,21 +10,21 @@
 
 namespace bench {
 
-/// The families of points, each with the surface that its points keep to while they walk.
+/// The families of points, each with the surface on which its points stay while they walk.
 ///
-/// uniform: in the unit cube. sphere: on the unit sphere, near-cospherical all of them. slab: a hundredth as thick as
-/// wide. clusters: over six decades of scale, their points at the scale of the cluster. faces: on the faces of a
-/// cube. lattice: a regular grid with noise of an ulp. ball: in the unit ball. In 2D the same with a circle, a
-/// strip, the sides of a square, a disc.
+/// uniform: in the unit cube. sphere: on the unit sphere, all near-cospherical. slab: a hundredth as thick as wide.
+/// clusters: over six decades of scale, their points at the scale of the cluster. faces: on the faces of a cube.
+/// lattice: a regular grid with noise of an ulp. ball: in the unit ball. In 2D the same with a circle, a strip, the
+/// sides of a square, a disc.
 inline constexpr std::string_view families[] = {"uniform", "sphere", "slab", "clusters", "faces", "lattice", "ball"};
 
 /// How points move. walk: every coordinate by independent Gaussians at every step. drift: all by the same, a Gaussian
-/// each step. shear: x += s spacings times y. few: one in a hundred walks. burst: they rest, and walk at each eighth
-/// step by eight times as much.
+/// each step. shear: x += s spacings times y. few: one point in a hundred walks. burst: points rest, and at each eighth
+/// step walk by eight times as much.
 inline constexpr std::string_view kinds_of_motion[] = {"walk", "drift", "shear", "few", "burst"};
 
-/// A family in motion. Positions are in the unit of the family, displacements in spacings n^(-1/d), or (2 / sqrt n on
-/// the unit sphere) as the family has.
+/// A family in motion. Positions are in the unit of the family, displacements in spacings n^(-1/d), or the family's own
+/// (2 / sqrt n on the unit sphere).
 template <int d>
 class Scene : public Motion<d> {
   public:

@@ -12,18 +12,18 @@
 
 namespace bench {
 
-/// An object that is kept up to date with a motion.
+/// An object that follows a motion.
 template <int d>
 class Follower {
   public:
     virtual ~Follower() = default;
-    /// One time step: departures, the move of all, arrivals. Returns what it took.
+    /// One time step: removals, the move of all, insertions. Returns the time.
     virtual double follow(const Motion<d>& motion, Stopwatch watch, annulus::Move_report& report) = 0;
     [[nodiscard]] virtual bool is_delaunay() const = 0;
 };
 
-/// `name` is that of a strategy, of Moving_delaunay; with `:view` behind it CGAL's triangulation is asked for at each
-/// time step, which is counted; with `:mesh` it is Moving_mesh. Throws std::invalid_argument for other names.
+/// `name` is a strategy of Moving_delaunay; with the suffix `:view` CGAL's triangulation is requested at each time
+/// step, and this is counted; with `:mesh` it is Moving_mesh. Throws std::invalid_argument for other names.
 template <int d>
 [[nodiscard]] std::unique_ptr<Follower<d>> follower(const std::string& name, int threads, const Points<d>& x);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strategies and CGAL's rebuild on one motion, timed step by step in turn: nanoseconds a vertex and step, ratios of
+// Strategies and CGAL's rebuild on one motion, timed step by step in turn: nanoseconds per vertex and step, ratios of
 // the same step.
 #include "crowd.h"
 #include "dynamics.h"

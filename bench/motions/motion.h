@@ -17,9 +17,9 @@ using annulus::Index;
 template <int d>
 using Points = std::vector<annulus::Coordinates<d>>;
 
-/// Points from time step to time step. Their numbers are those that Moving_delaunay gives them: the first ones 0, 1,
-/// 2 ..; who leaves makes a number free, and who arrives gets the one freed last. A time step is removals, one
-/// move_all to `points`, insertions.
+/// Points from time step to time step. Their indices are those of Moving_delaunay: the first ones 0, 1, 2 ..; a point
+/// that leaves frees its index, and one that arrives gets the index freed last. A time step is removals, one move_all
+/// to `points`, insertions.
 template <int d>
 class Motion {
   public:
@@ -28,23 +28,23 @@ class Motion {
     Motion(const Motion&) = delete;
     Motion& operator=(const Motion&) = delete;
 
-    /// Goes on to the next time step; false when there is none.
+    /// Advances to the next time step; false when there is none.
     bool step() {
         settle_arrivals();
         before_ = x_;
         return advance();
     }
-    /// By number; those who arrive are not among them yet, and what stands at free numbers means nothing.
+    /// By index; arriving points are not among them yet, and positions at free indices are ignored.
     [[nodiscard]] const Points<d>& points() const { return x_; }
     [[nodiscard]] std::span<const Index> leave() const { return leave_; }
     [[nodiscard]] std::span<const annulus::Coordinates<d>> arrive() const { return arrive_; }
-    /// What number the k-th who arrives in this time step will have.
+    /// The index of the k-th point that arrives in this time step.
     [[nodiscard]] Index number_of_arrival(std::size_t k) const {
         const std::size_t vacant = free_indices_.size() + leave_.size();
         if (k >= vacant) return static_cast<Index>(x_.size() + k - vacant);
         return k < leave_.size() ? leave_[leave_.size() - 1 - k] : free_indices_[vacant - 1 - k];
     }
-    /// Everybody who is there after the time step.
+    /// All points that exist after the time step.
     [[nodiscard]] Points<d> present() const {
         Points<d> all;
         all.reserve(x_.size() + arrive_.size());
@@ -53,7 +53,7 @@ class Motion {
         all.insert(all.end(), arrive_.begin(), arrive_.end());
         return all;
     }
-    /// Of those who were there before and after, in spacings.
+    /// Over the points that exist before and after the step, in spacings.
     [[nodiscard]] double mean_displacement() const {
         double sum = 0.0;
         std::size_t count = 0;
@@ -105,7 +105,7 @@ class Motion {
 
     Points<d> before_;
     std::vector<char> there_;
-    std::vector<Index> free_indices_;  // the last one first to be given away
+    std::vector<Index> free_indices_;  // the last one is reused first
     std::vector<Index> leave_;
     Points<d> arrive_;
     double spacing_ = 1.0;

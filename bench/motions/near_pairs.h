@@ -10,9 +10,9 @@
 
 namespace bench {
 
-/// Calls f(i, j) once for every pair of points at most about `reach` apart (others up to twice as far may be among
-/// them), in an order that depends on the positions alone. O(n) where density is bounded; one grid of cells over the
-/// points' box.
+/// Calls f(i, j) once for every pair of points at most about `reach` apart (and perhaps for some up to twice as far),
+/// in an order that depends on the positions alone. O(n) where density is bounded; one grid of cells over the points'
+/// box.
 template <int d, class F>
 void for_each_near_pair(const Points<d>& x, double reach, F f) {
     if (x.empty()) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's parallel insertion in 3D, the peer of a strategy with threads. A program by itself, since what includes
-// CGAL with and without TBB does not mix.
+// CGAL's parallel insertion in 3D, for comparison with a strategy with threads. A separate program, since code that
+// includes CGAL with and without TBB cannot be mixed.
 #include "families.h"
 #include "result_line.h"
 #include "stopwatch.h"
@@ -28,7 +28,7 @@ using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
 double rebuild(const std::vector<std::pair<Kernel::Point_3, annulus::Index>>& points) {
     const bench::Stopwatch watch(2);  // the clock, whatever the number of threads
     const double begin = watch.seconds();
-    Triangulation::Lock_data_structure locks(CGAL::Bbox_3(-1, -1, -1, 2, 2, 2), 50);  // as CGAL's manual has it
+    Triangulation::Lock_data_structure locks(CGAL::Bbox_3(-1, -1, -1, 2, 2, 2), 50);  // as in CGAL's manual
     const Triangulation tr(points.begin(), points.end(), &locks);
     const double taken = watch.seconds() - begin;
     if (tr.number_of_vertices() != points.size()) std::fprintf(stderr, "annulus-parallel-cgal: points are missing\n");

@@ -42,10 +42,10 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
     std::vector<Runner<d>> runners;
     for (const std::string& who : race.strategies) runners.push_back(runner<d>(who, race, motion.points(), watch));
     std::vector<double> cgal;
-    std::vector<double> nanoseconds;  // of CGAL, a vertex
+    std::vector<double> nanoseconds;  // of CGAL, per vertex
     std::vector<double> displacement;
     std::vector<double> count;
-    std::size_t moves = 0;  // arrivals and departures besides
+    std::size_t moves = 0;  // including insertions and removals
     const std::size_t turns = runners.size() + 1;
     for (int step = 0; step < race.warm + race.steps && motion.step(); ++step) {
         const bool counts = step >= race.warm;
@@ -97,7 +97,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
         const double asked = static_cast<double>(std::max<std::uint64_t>(r.report.moves.asked, 1));
         const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };
         const double whole = r.seconds.empty() ? 0.0 : sum(cgal) / sum(r.seconds);
-        std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, dearest %.2f%s", r.name.c_str(), quantile(ns, 0.5),
+        std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, most expensive %.2f%s", r.name.c_str(), quantile(ns, 0.5),
                     quantile(ratio, 0.5), whole, quantile(cost, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
         if (share(r.report.moves.rebuilt) > 0.0) std::printf(", rebuilt %.2f", share(r.report.moves.rebuilt));
         std::printf(", flips %.3f, again %.4f", share(r.report.flips), share(r.report.moves.reinserted));
@@ -106,7 +106,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
                        {"whole", whole},
                        {"ratio_low", quantile(ratio, 0.1)},
                        {"ratio_high", quantile(ratio, 0.9)},
-                       {"dearest", quantile(cost, 1.0)},
+                       {"most expensive", quantile(cost, 1.0)},
                        {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
                        {"rebuilt", share(r.report.moves.rebuilt)},
                        {"within_tolerance", share(r.report.moves.within_tolerance)},

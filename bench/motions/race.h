@@ -13,19 +13,19 @@
 
 namespace bench {
 
-/// Who runs, and for how long.
+/// The contenders, and the length of the run.
 struct Race {
-    std::vector<std::string> strategies{"auto", "auto:view", "auto:mesh"};  ///< as `follower` names them
-    int steps = 24;                                                         ///< that count; fewer where the motion ends
+    std::vector<std::string> strategies{"auto", "auto:view", "auto:mesh"};  ///< names as in `follower`
+    int steps = 24;                                                         ///< timed ones; fewer where the motion ends
     int warm = 3;                                                           ///< before them
     int threads = 1;
     bool audit = true;
-    bool audit_all = false;  ///< after every step that counts, not only the last
+    bool audit_all = false;  ///< after every timed step, not only the last
 };
 
 /// Strategies and CGAL's rebuild on the same time steps, step by step in turn, each of them first at every so many
-/// steps: nanoseconds a vertex and step, ratios of the same step and of the sums. `out` gets what came out, and a
-/// line is printed that begins with `name`. Returns how many audits failed.
+/// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Writes the results to `out`, and
+/// prints a line that begins with `name`. Returns the number of failed audits.
 template <int d>
 int race(Motion<d>& motion, const Race& race, const std::string& name, nlohmann::ordered_json& out);
 

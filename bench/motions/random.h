@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// The same numbers on every machine, which the distributions of the standard library do not promise.
+/// The same numbers on every machine, which the distributions of the standard library do not guarantee.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : bits_(seed) {}

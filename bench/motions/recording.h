@@ -10,12 +10,12 @@
 
 namespace bench {
 
-/// What a file says, as the tool's `replay --coincident merge --absent-frames skip` follows it. A spacing is the
-/// square root of the area of the fullest frame's box for each of its points, the cube root of its volume in 3D.
+/// The motion in a file, as `annulus replay --coincident merge --absent-frames skip` follows it. A spacing is the
+/// square root of the area of the fullest frame's box per point, in 3D the cube root of its volume.
 template <int d>
 class Recording : public Motion<d> {
   public:
-    /// Begins at frame `first`, or the next one that has points.
+    /// Begins at frame `first`, or the next one with points.
     explicit Recording(const annulus::Recorded_motion& recorded, std::size_t first = 0);
 
   private:
@@ -24,12 +24,12 @@ class Recording : public Motion<d> {
 
     const annulus::Recorded_motion& recorded_;
     std::size_t next_;  // frame
-    // Who is there, by ascending id.
+    // The present points, by ascending id.
     std::vector<std::uint64_t> id_;
     std::vector<Index> number_;
 };
 
-/// The frame that has the most points, the first of them.
+/// The first frame with the most points.
 [[nodiscard]] std::size_t fullest(const annulus::Recorded_motion& recorded);
 
 extern template class Recording<2>;

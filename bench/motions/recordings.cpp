@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strategies and CGAL's rebuild on motions that were recorded, timed step by step in turn.
+// Strategies and CGAL's rebuild on recorded motions, timed step by step in turn.
 #include "race.h"
 #include "recording.h"
 
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// 3 where there is a z and it is not the same everywhere.
+/// 3 if there is a z that is not the same everywhere.
 int dimension_of(const annulus::Recorded_motion& motion) {
     const double* z = nullptr;
     for (const annulus::Frame& frame : motion.frames)
@@ -28,7 +28,7 @@ int dimension_of(const annulus::Recorded_motion& motion) {
 template <int d>
 int run(const annulus::Recorded_motion& recorded, const bench::Race& race, const std::string& name,
         const std::string& json) {
-    // Of more frames than are wanted those around the fullest one: people come into the picture one by one.
+    // If there are more frames than requested, those around the fullest one: persons enter the picture one by one.
     const std::size_t all = recorded.frames.size();
     const auto wanted = std::min(all, static_cast<std::size_t>(race.warm + race.steps) + 1);
     const std::size_t peak = bench::fullest(recorded);

@@ -13,8 +13,8 @@
 
 namespace bench {
 
-/// The tool's Lloyd iterations, beside a triangulation of their own, so that what follows them has no say in where
-/// they go. Unlike the tool's Guided_lloyd it tells the motion's own seconds from those of that triangulation.
+/// The tool's Lloyd iterations with a separate triangulation, so that the contenders do not influence the motion.
+/// Unlike the tool's Guided_lloyd it distinguishes the seconds of the motion from those of that triangulation.
 class Lloyd {
   public:
     static constexpr int dimension = 2;
@@ -24,7 +24,7 @@ class Lloyd {
         : points_(scene.points), spacing_(scene.spacing()), guide_(points_), lloyd_(scene.domain, scene.density, 1) {}
     [[nodiscard]] const Points<2>& points() const { return points_; }
     [[nodiscard]] double spacing() const { return spacing_; }
-    /// The next positions; returns what that took, and how far the vertices go, in spacings.
+    /// Computes the next positions; returns the time, and the displacement of the vertices in spacings.
     [[nodiscard]] std::pair<double, double> next(Points<2>& target) {
         const double begin = watch_.seconds();
         if (cells_changed_) annulus::cli::read_stars(guide_, stars_);
@@ -45,7 +45,7 @@ class Lloyd {
     Stopwatch watch_;
 };
 
-/// The same of natural ODT.
+/// The same for natural ODT.
 class Nodt {
   public:
     static constexpr int dimension = 3;

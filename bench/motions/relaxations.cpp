@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool makes them.
-// Blocks of time steps are computed first, and each strategy follows them by itself, so that neither the others nor
-// the motion use up its caches, and yet all are timed within the same seconds.
+// Strategies, CGAL's rebuild and the motion itself on Lloyd iterations and natural ODT, as the tool computes them.
+// Blocks of time steps are computed first, and each strategy follows a block alone, so that neither the other
+// strategies nor the motion displace its caches, and yet all are timed within the same seconds.
 #include "cgal_rebuild.h"
 #include "relaxation.h"
 #include "result_line.h"
@@ -18,7 +18,8 @@ namespace {
 using namespace annulus;
 using nlohmann::ordered_json;
 
-/// Time steps. At the first of a block caches are cold: with 20, Lloyd's cheapest steps cost half as much again.
+/// Time steps per block. At the first of a block caches are cold: with 20, Lloyd's cheapest steps cost half as much
+/// again.
 constexpr std::uint64_t block_size = 100;
 
 struct Choice {
@@ -27,7 +28,7 @@ struct Choice {
     std::string json;
 };
 
-/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows each Kth time step only, and its seconds count K
+/// NAME[:KIND][@K]: KIND is a kind of tolerance; with K it follows only each K-th time step, and its seconds count K
 /// times.
 struct Word {
     std::string name;  // without @K

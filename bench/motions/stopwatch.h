@@ -5,8 +5,8 @@
 
 namespace bench {
 
-/// Seconds of this thread's processor, which does not count while others have it: steadier than a clock on a machine
-/// that is shared. Where several threads work there is but the clock.
+/// Processor time of this thread, which excludes the time of other processes: steadier than a clock on a shared
+/// machine. For several threads only the clock is available.
 class Stopwatch {
   public:
     explicit Stopwatch(int threads = 1) : clock_(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC) {}

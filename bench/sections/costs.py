@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What does not depend on a motion."""
+"""Costs that do not depend on a motion."""
 
 from .measure import reached
 
@@ -7,7 +7,7 @@ MUST = {"Moving_delaunay_3": 800, "Moving_mesh<3>": 900}
 
 
 def costs(bench):
-    """Of both classes in both dimensions, with tolerances (steps of 1e-5 spacings) and without (1e-3)."""
+    """Costs of both classes in both dimensions, with tolerances (steps of 1e-5 spacings) and without (1e-3)."""
     points = 20000 if bench.quick else 100000
     yield from [f"## Costs, {points} points", "",
                 "Nanoseconds and bytes (malloc's own count) a vertex; the move of one vertex by 0.01 spacings in "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Programs of a build, called for JSON; what all tables have in common."""
+"""Calls of the build's programs, which return JSON; and the parts common to all tables."""
 
 import json
 import subprocess
@@ -15,14 +15,14 @@ class Bench:
         self.build, self.repeat, self.quick, self.keep = Path(build), repeat, quick, keep
 
     def program(self, name):
-        """Path of a program; None where it is not built."""
+        """The path of a program; None where it is not built."""
         for place in (self.build / "bench" / name, self.build / name):
             if place.exists():
                 return place
         return None
 
     def call(self, name, *words, **options):
-        """One run of a program that appends lines of JSON to a file: these."""
+        """Runs a program that appends lines of JSON to a file, and returns these."""
         program = self.program(name)
         if program is None:
             sys.exit(f"bench/run: {name} is not in {self.build}; build the target with -DANNULUS_BUILD_BENCH=ON "
@@ -43,7 +43,7 @@ class Bench:
         return [json.loads(line) for line in lines]
 
     def motion(self, repeat=None, **options):
-        """The runs of a row with seeds 1, 2 .., as annulus-motions wrote them, with the ratios in order."""
+        """The runs of a row with seeds 1, 2 .., as annulus-motions writes them, ordered by ratio."""
         runs = [self.call("annulus-motions", seed=seed, **options)[0] for seed in range(1, (repeat or self.repeat) + 1)]
         return in_order(runs)
 
@@ -53,7 +53,7 @@ def in_order(runs, key="ratio"):
 
 
 def middle(runs):
-    """Of an even number the worse of two."""
+    """The middle run, of an even number the worse of two."""
     return runs[(len(runs) - 1) // 2]
 
 
@@ -77,12 +77,12 @@ HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reac
 
 
 def row(name, must, aim, runs):
-    """Of a motion whose steps are all alike: the median of the steps' ratios."""
+    """The row of a motion whose steps are all alike: the median of the steps' ratios."""
     one = middle(runs)
     auto = one["auto"]
     spread = f"{runs[0]['auto']['ratio']:.2f} to {runs[-1]['auto']['ratio']:.2f}"
     return (f"| {name} | {auto['ratio']:.2f} | {spread} | {one['auto:mesh']['ratio']:.2f} | "
             f"{one['auto:view']['ratio']:.2f} "
             f"| {number(must)} | {reached(auto['ratio'], must)} | {number(aim)} | {auto['ns']:.0f} "
-            f"| {one['cgal_ns']:.0f} | {max(r['auto']['most expensive'] for r in runs):.2f} | {100 * auto['rebuilt']:.0f} % | "
-            f"{audits(runs)} |")
+            f"| {one['cgal_ns']:.0f} | {max(r['auto']['most expensive'] for r in runs):.2f} "
+            f"| {100 * auto['rebuilt']:.0f} % | {audits(runs)} |")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Motions that nobody made for a benchmark: simulations, and recordings from files."""
+"""Motions that were not made for a benchmark: simulations, and recordings from files."""
 
 from pathlib import Path
 
@@ -46,7 +46,7 @@ def bench_runs(bench, motion, d, points, every, steps):
 
 
 def recorded(bench, names):
-    """Of files that `annulus replay` reads."""
+    """Sections of files that `annulus replay` reads."""
     yield from ["## Recorded motions", ""]
     files = []
     for name in map(Path, names):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tool's own motions: Lloyd iterations, natural ODT. What the paper measured."""
+"""The tool's own motions, which the paper measured: Lloyd iterations, natural ODT."""
 
 import subprocess
 
 from .measure import ROOT, reached
 
-# Scene, what the tool calls it, vertices, what rebuild / auto must be and what it should be.
+# Scene, its name in the tool, vertices, the required value of rebuild / auto and the desired one.
 MESHES = (("sphere", ["--sphere"], 13000, 40, 50), ("bunny", ["--surface", "bunny00.off"], 13000, 12, 25),
           ("man", ["--surface", "man.off", "--allow-crossing"], 8000, 12, 25),
           ("liver", ["--surface", "liver.inr.gz"], 10000, 12, 25))
@@ -54,7 +54,8 @@ def nodt(bench):
         words = [meshes / w if "." in w else w for w in words]
         run = bench.call("annulus-relaxations", "nodt", *words, "--vertices", 1500 if bench.quick else vertices,
                          "--iterations", iterations,
-                         strategies="cgal@20,rebuild@4,auto,tolerances,paper,paper:floating,tolerances-each,relocate@20")[0]
+                         strategies="cgal@20,rebuild@4,auto,tolerances,paper,paper:floating,tolerances-each,"
+                                    "relocate@20")[0]
         yield row(name, run, must, aim, 0.5, 0.2)
         each = run["tolerances-each"]["seconds"]
         ratios = [run[who]["seconds"] / each for who in ("cgal", "rebuild", "relocate")]
@@ -65,6 +66,6 @@ def nodt(bench):
     yield from ["", "### One vertex at a time", "",
                 "The same motion. `relocate` takes so long that it follows each 20th time step only: its vertices go "
                 "twenty times as far at once, which costs it little.", "Nanoseconds are a vertex and step.", "",
-                "| | CGAL's / tolerances-each | must | reached | aim | `rebuild` / tolerances-each | relocate / tolerances-each | "
-                "must | reached | aim | tolerances-each, ns | relocate, ns | audit |",
+                "| | CGAL's / tolerances-each | must | reached | aim | `rebuild` / tolerances-each "
+                "| relocate / tolerances-each | must | reached | aim | tolerances-each, ns | relocate, ns | audit |",
                 "|---|---|---|---|---|---|---|---|---|---|---|---|---|", *single, ""]

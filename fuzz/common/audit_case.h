@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bytes to a few points and a list of cells, a Delaunay triangulation of them that may have been spoilt; and what the
-// audit and brute force say of it. Shared by the fuzz target and a property test.
+// Bytes to a few points and a list of cells, a Delaunay triangulation of them that may have been damaged; and the
+// results of the audit and of brute force. Shared by the fuzz target and a property test.
 
 #include "brute_force.h"
 #include "bytes.h"
@@ -34,8 +34,7 @@ struct Audit_case {
     }
 };
 
-/// Replaces two cells that share a facet by d others, or in 3D three around an edge by two. No matter what comes
-/// of it.
+/// Replaces two cells that share a facet by d others, or in 3D three around an edge by two, valid or not.
 template <int d>
 void flip(std::vector<Cell_of<d>>& cells, std::size_t one, std::size_t other) {
     Cell_of<d>& c = cells[one];
@@ -67,7 +66,7 @@ void flip(std::vector<Cell_of<d>>& cells, std::size_t one, std::size_t other) {
             return;
         }
     }
-    // 2-2 in 2D, 2-3 in 3D: each corner of the facet gives way to the opposite vertex.
+    // 2-2 in 2D, 2-3 in 3D: each corner of the facet is replaced by the opposite vertex.
     std::vector<Cell_of<d>> made;
     for (std::size_t i = 0; i <= d; ++i) {
         if (i == p || c[i] == none) continue;
@@ -110,9 +109,9 @@ template <int d>
         case 5: out.scale = 0x1p-400; break;
         default: break;
     }
-    const std::uint64_t order = bytes.next();  // which of the triangulations of cospherical points
+    const std::uint64_t order = bytes.next();  // selects one triangulation of cospherical points
     const Brute_force<d> brute(out.points);
-    for (std::uint64_t attempt = 0; attempt < 16; ++attempt) {  // now and then heights, too, are degenerate
+    for (std::uint64_t attempt = 0; attempt < 16; ++attempt) {  // sometimes heights are degenerate, too
         std::vector<std::uint64_t> height;
         for (std::size_t i = 0; i < n; ++i)
             height.push_back(((order + 256 * attempt + 1) * (i + 1) * (2 * i + 3) * 0x9e3779b97f4a7c15U) >> 32);
@@ -122,7 +121,7 @@ template <int d>
 
     const auto vertex = [&] {
         const auto v = static_cast<Index>(bytes.below(n + 2));
-        return v == 0 ? none : v - 1;  // n, too, is none
+        return v == 0 ? none : v - 1;  // n also means none
     };
     for (int budget = 8; !bytes.empty() && budget > 0; --budget) {
         const std::uint8_t code = bytes.next();
@@ -141,12 +140,12 @@ template <int d>
             case 2: std::swap(cells[i][0], cells[i][1]); break;
             case 3: cells[i][bytes.below(d + 1)] = vertex(); break;
             case 4: flip<d>(cells, i, bytes.below(cells.size())); break;
-            case 5: {  // the first neighbour there is
+            case 5: {  // the first existing neighbour
                 const auto before = cells;
                 for (std::size_t j = 0; j < cells.size() && cells == before; ++j) flip<d>(cells, i, j);
                 break;
             }
-            case 6: {  // means nothing
+            case 6: {  // no change
                 std::rotate(cells[i].begin(), cells[i].begin() + (d == 2 ? 1 : 0), cells[i].end());
                 if (d == 3) std::rotate(cells[i].begin(), cells[i].begin() + 1, cells[i].begin() + 3);
                 break;
@@ -158,7 +157,7 @@ template <int d>
                 cells.push_back(c);
                 break;
             }
-            case 9: {  // everything turned over
+            case 9: {  // everything reversed
                 for (auto& c : cells) std::swap(c[0], c[1]);
                 break;
             }
@@ -191,7 +190,7 @@ template <int d>
     return out.str();
 }
 
-/// Empty, or in what the audit and brute force differ.
+/// Empty, or the difference between the audit and brute force.
 template <int d>
 [[nodiscard]] std::string audit_fault(const Audit_case<d>& c) {
     const Audit_result r = audit(c.input());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether cells are a Delaunay triangulation of a few points, by the definition: every cell is asked about every
+// Tests by the definition whether cells are a Delaunay triangulation of a few points: every cell is compared with every
 // point and every other cell. Coordinates are integers below 2^12 in magnitude, so that everything fits 128 bits.
-// Nothing here calls the library, and nothing is derived: no hull is walked, no theorem says that less would do.
+// Nothing here calls the library, and no shortcut is taken: no walk along the hull, no theorem that would allow fewer
+// tests.
 
 #include <annulus/arithmetic/coordinates.h>
 
@@ -78,7 +79,7 @@ struct Lifted {
             if (j != i) f[r++] = c[j];
         return f;
     }
-    /// On which side of the facet f of a cell v is.
+    /// The side of the facet f of a cell on which v is.
     [[nodiscard]] int side(const std::array<Index, k>& f, Index v) const {
         std::array<Index, k + 1> c;
         std::copy(f.begin(), f.end(), c.begin());
@@ -87,7 +88,7 @@ struct Lifted {
     }
 };
 
-/// All directions in which two simplices of R^k that do not overlap can be told apart.
+/// All directions that can separate two simplices of R^k that do not overlap.
 inline std::vector<Row<2>> axes(const std::vector<Row<2>>& edges, const std::vector<Row<2>>& other_edges) {
     std::vector<Row<2>> n;
     for (const auto* all : {&edges, &other_edges})
@@ -176,7 +177,8 @@ inline Wide hull_volume(const Lifted<3>& x) {
     return sum;
 }
 
-/// Empty, or why these are no Delaunay triangulation of points that span R^k. Counts pairs of cells with one sphere.
+/// Empty, or why these are not a Delaunay triangulation of points that span R^k. Counts pairs of cells with the same
+/// sphere.
 template <std::size_t k>
 [[nodiscard]] std::string fault_of_cells(const Lifted<k>& x, const std::vector<std::array<Index, k + 1>>& cells,
                                          std::uint64_t& degenerate) {
@@ -219,14 +221,14 @@ template <std::size_t k>
 
 }  // namespace brute
 
-/// What brute force says of cells: d + 1 indices each, positively oriented; of points that span k < d dimensions
-/// k + 1, then `none`, and triangles in 3D all turned the same way.
+/// The result of brute force for cells: d + 1 indices each, positively oriented; for points that span k < d dimensions
+/// k + 1 indices, then `none`, and triangles in 3D consistently oriented.
 struct Brute_verdict {
     std::string fault;             ///< empty: a Delaunay triangulation
     std::uint64_t degenerate = 0;  ///< then: pairs of neighbours on one sphere
 };
 
-/// The points of one dimension k, as they are or seen along an axis on which they all are seen apart.
+/// Points that span k dimensions, unchanged or projected along an axis that keeps them distinct.
 template <int d>
 class Brute_force {
   public:
@@ -290,9 +292,8 @@ class Brute_force {
         return out;
     }
 
-    /// A Delaunay triangulation: the lower hull of the lifted points, each raised by a little. Where no two of the
-    /// hyperplanes that matter agree in all heights, which may be had with other numbers, it is one. Heights are
-    /// below 2^32.
+    /// A Delaunay triangulation: the lower hull of the lifted points, each raised by a little. It is unique where no
+    /// two relevant hyperplanes agree in all heights; other random numbers give other heights. Heights are below 2^32.
     [[nodiscard]] std::vector<Cell_of<d>> triangulated(const std::vector<std::uint64_t>& height) const {
         std::vector<Cell_of<d>> out;
         if (span_ == 3) {
@@ -320,7 +321,7 @@ class Brute_force {
     std::string fault_in_plane(const std::vector<Cell_of<d>>& cells, std::uint64_t& degenerate) const {
         std::string fault;
         for (const bool turned : {false, true}) {
-            if (d == 2 && turned) break;  // in 2D the other side is no side
+            if (d == 2 && turned) break;  // in 2D there is no other side
             std::vector<std::array<Index, 3>> triangles;
             for (const Cell_of<d>& c : cells) triangles.push_back({c[turned ? 1 : 0], c[turned ? 0 : 1], c[2]});
             degenerate = 0;
@@ -333,7 +334,7 @@ class Brute_force {
         std::vector<std::array<Index, 2>> out;
         for (Index a = 0; a < all_.size(); ++a)
             for (Index b = 0; b < a; ++b) {
-                bool between = false;  // somebody is
+                bool between = false;  // whether a point is between them
                 for (Index v = 0; v < all_.size(); ++v)
                     between = between || brute::dot(all_.from(v, a), all_.from(v, b)) < 0;
                 if (!between) out.push_back({b, a});

@@ -17,8 +17,7 @@
 
 namespace annulus::oracle {
 
-/// Dimension and cells of CGAL's triangulation of the points that there are, at different places; no cells where that
-/// is flat.
+/// Dimension and cells of CGAL's triangulation of the existing points, which differ; no cells where they are flat.
 template <int d>
 [[nodiscard]] std::pair<int, Cell_set<d>> cells_by_cgal(const std::vector<std::optional<Coordinates<d>>>& x) {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

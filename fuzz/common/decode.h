@@ -34,13 +34,12 @@ class Decoder {
         program.setting = setting(head & 15);
         numbers_ = numbers(head >> 4);
         const std::size_t n = byte() % 24;
-        for (std::size_t i = 0; i < n && !bytes_.empty();
-             ++i) {  // who has the place of another is left out, in most programs
+        for (std::size_t i = 0; i < n && !bytes_.empty(); ++i) {  // in most programs duplicate points are left out
             const Coordinates<d> p = point<d>();
             const auto& x = program.points;
             if (numbers_ == Numbers::raw || std::find(x.begin(), x.end(), p) == x.end()) program.points.push_back(p);
         }
-        int calls = d == 2 ? 64 : 32;  // those of space are expensive
+        int calls = d == 2 ? 64 : 32;  // calls in 3D are expensive
         int steps = d == 2 ? 320 : 96;
         for (; !bytes_.empty() && calls > 0 && steps > 0; --calls) {
             program.operations.push_back(operation<d>());
@@ -60,9 +59,9 @@ class Decoder {
 
     [[nodiscard]] static Numbers numbers(unsigned high) { return static_cast<Numbers>(std::min(high, 11U)); }
 
-    /// The certified settings, those that are not, and again those that have most to lose.
+    /// The certified settings, the others, and again the most complex ones.
     [[nodiscard]] static Setting setting(unsigned low) {
-        // `auto` came later: it is among the last.
+        // `auto` was added later: it is among the last.
         const auto old = static_cast<unsigned>(certified_settings.size() - 1);
         if (low < old) return certified_settings[low];
         low -= old;
@@ -102,7 +101,7 @@ class Decoder {
             case 5:
             case 6:
             case 7: {
-                // The motion in the high bits and one more, pace and times in a byte, what is arbitrary in another.
+                // The motion in the high bits and one more bit, pace and times in a byte, the seed in another.
                 const std::size_t m = static_cast<std::size_t>(code >> 4) % all_motions.size();
                 const std::uint8_t how = byte();
                 const Motion motion = all_motions[m];
@@ -110,7 +109,7 @@ class Decoder {
                 return Do::steady(motion, times[how >> 4], pace, byte());
             }
             case 8:
-            case 9: {  // to places that are written down
+            case 9: {  // to explicit positions
                 std::vector<Coordinates<d>> x;
                 const std::size_t some = 1 + byte() % 24;
                 while (x.size() < some && !bytes_.empty()) x.push_back(point<d>());
@@ -123,7 +122,7 @@ class Decoder {
             case 14: return Do::refused(static_cast<Refusal>(static_cast<std::size_t>(code >> 4) % refusals), byte());
             default: break;
         }
-        // As it is written, which may be legal or not.
+        // Unchanged, legal or not.
         const auto v = static_cast<Index>(byte() % 32) - 1;
         switch (code >> 4 & 3) {
             case 0: return Do::insert(point<d>());
@@ -165,7 +164,7 @@ class Decoder {
             case Numbers::cluster:
             case Numbers::fine: break;
         }
-        const double first = byte();  // one after the other: in one expression the order is anybody's
+        const double first = byte();  // two statements: in one expression the order is unspecified
         const double second = byte();
         return numbers_ == Numbers::fine ? first / 16.0 + second / 4096.0 : std::fmod(first, 5.0) + second * 0x1p-30;
     }

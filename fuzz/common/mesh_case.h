@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bytes to points on and near what is degenerate, and to changes of a Delaunay_mesh of them, which is compared with
+// Bytes to degenerate and nearly degenerate points, and to changes of a Delaunay_mesh of them, which is compared with
 // CGAL's triangulation after each. The first byte has the dimension in its lowest bit and a power of two in the others;
 // then the kind of points, their number, the points, and changes until the bytes run out.
 
@@ -40,7 +40,7 @@ class Mesh_case {
         std::erase(x_, std::nullopt);
     }
 
-    /// Empty, or what differs.
+    /// Empty, or the difference.
     [[nodiscard]] std::string fault() {
         home_.assign(x_.size() + most_changes, Coordinates<d>{});
         for (std::size_t i = 0; i < x_.size(); ++i) home_[i] = *x_[i];
@@ -49,7 +49,7 @@ class Mesh_case {
         for (int k = 0; k < most_changes && !bytes_.empty() && found.empty(); ++k) found = difference(change());
         return found;
     }
-    /// The points that there were when they differed.
+    /// The points at the time of the difference.
     [[nodiscard]] std::string points() const {
         std::ostringstream out;
         out << std::hexfloat;
@@ -93,7 +93,7 @@ class Mesh_case {
         switch (kind_) {
             case Point_kind::random:
                 each([&] {
-                    const double high = bytes_.next();  // first: in one expression the order is the compiler's
+                    const double high = bytes_.next();  // first: in one expression the order is unspecified
                     return high / 16 + bytes_.next() / 4096.0;
                 });
                 break;
@@ -143,14 +143,14 @@ class Mesh_case {
         const Coordinates<d> p = point();
         return is_taken(p, x_.size()) ? std::nullopt : std::optional(p);
     }
-    /// A vertex that there is, or x_.size().
+    /// An existing vertex, or x_.size().
     [[nodiscard]] std::size_t some_vertex() {
         for (std::size_t v = x_.empty() ? 0 : bytes_.next() % x_.size(), k = 0; k < x_.size(); ++k, ++v)
             if (x_[v % x_.size()]) return v % x_.size();
         return x_.size();
     }
 
-    /// Makes one; the word for it.
+    /// Makes one change; returns its name.
     std::string change() {
         const unsigned code = bytes_.next();
         if ((code & 128) != 0) kind_ = kind(code >> 4);
@@ -201,7 +201,7 @@ class Mesh_case {
         x_[v] = p;
         return "reinsert";
     }
-    /// Flips that make cells which are not Delaunay, and what makes them so again.
+    /// Flips that make cells which are not Delaunay, and their repair.
     std::string flip_and_restore() {
         if (mesh_.dimension() < d) return "nothing";
         std::vector<Cell_index> touched, made;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The same program on a Moving_mesh: it has to accept and refuse the same calls, and to have the same cells
-// afterwards. Time steps alternate between move_all and a move of those who go anywhere.
+// The same program on a Moving_mesh: it must accept and refuse the same calls, and have the same cells afterwards. Time
+// steps alternate between move_all and a move of the vertices that change position.
 
 #include "operation.h"
 
@@ -18,14 +18,14 @@ namespace annulus::oracle {
 template <int d>
 class Mesh_twin {
   public:
-    /// Where tolerances are not certified nothing is promised but not to crash.
+    /// Where tolerances are not certified the only guarantee is not to crash.
     Mesh_twin(const std::vector<Coordinates<d>>& points, const Options& options, std::optional<Error_code> refused)
         : promises_(options.tolerance == Tolerance_kind::certified) {
         guard(refused, [&] { mesh_.emplace(std::span<const Coordinates<d>>(points), options); });
         if (!mesh_ && !lost_) mesh_.emplace(options);
     }
 
-    /// Makes a call that `refused` tells the end of. Empty, or what went wrong.
+    /// Makes a call whose expected result is `refused`. Empty, or the fault.
     [[nodiscard]] std::string apply(const Operation_of<d>& o, std::optional<Error_code> refused) {
         if (lost_ || !fault_.empty()) return fault_;
         using Kind = Operation_kind;
@@ -47,7 +47,7 @@ class Mesh_twin {
         return fault_;
     }
 
-    /// Empty, or in what it is not the triangulation of these sites, whose finite cells are `expected` (vertices in
+    /// Empty, or how it differs from the triangulation of these sites, whose finite cells are `expected` (vertices in
     /// any order).
     template <class Cells>
     [[nodiscard]] std::string fault(const std::vector<std::optional<Coordinates<d>>>& sites,
@@ -67,7 +67,7 @@ class Mesh_twin {
     }
 
   private:
-    /// Makes a call that is refused just as that of the other object was.
+    /// Makes a call that must be refused like that of the other object.
     template <class Call>
     void guard(std::optional<Error_code> refused, Call call) {
         std::optional<Error_code> code;
@@ -77,7 +77,7 @@ class Mesh_twin {
             code = e.code();
         }
         if constexpr (Limits::tiny)
-            if (code == Error_code::too_large || refused == Error_code::too_large) {  // room ends at different times
+            if (code == Error_code::too_large || refused == Error_code::too_large) {  // not at the same call in both
                 lost_ = true;
                 return;
             }
@@ -105,7 +105,8 @@ class Mesh_twin {
         std::sort(cells.begin(), cells.end());
         return cells;
     }
-    /// What is said to be beyond the facet opposite to corner i has its vertices, and says the same.
+    /// Whether the cell given as beyond the facet opposite to corner i has its vertices, and this cell as its
+    /// neighbour.
     [[nodiscard]] static bool is_beyond(const Mesh_cells<d>& cells, std::size_t c, std::size_t i) {
         const Index n = cells.neighbours[c][i];
         if (n == Mesh_cells<d>::outside) return true;

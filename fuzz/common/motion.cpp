@@ -199,7 +199,7 @@ void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint6
             x[i] = *now[i];
         }
     }
-    for (bool met = true; met;) {  // whoever stays may be in the way of another; where all stay nobody is
+    for (bool met = true; met;) {  // one that stays may be another's target
         met = false;
         std::map<Coordinates<d>, std::size_t> visitors;
         for (std::size_t i = 0; i < x.size(); ++i)

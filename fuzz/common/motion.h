@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The motions of operation.h: where everybody is next. Plain doubles; nothing here needs to be exact.
+// The motions of operation.h: the next positions of all vertices. Plain doubles; nothing here needs to be exact.
 
 #include "operation.h"
 
@@ -12,7 +12,7 @@ namespace annulus::oracle {
 template <int d>
 using Sites_of = std::vector<std::optional<Coordinates<d>>>;  ///< by vertex index; empty for a free one
 
-/// Where tolerances are measured from, and how large they are.
+/// Fixed positions and tolerances.
 template <int d>
 struct Leeway {
     Coordinates<d> fixed{};
@@ -26,12 +26,12 @@ template <int d>
                                                          const Sites_of<d>& now,
                                                          const std::function<Leeway<d>(std::size_t)>& leeway);
 
-/// Makes x the positions of a legal time step: vertices that would leave the domain or meet stay where they are. At
-/// free indices there may be anything; what there is follows from the seed.
+/// Makes x the positions of a legal time step: vertices that would leave the domain or become duplicate points stay.
+/// Positions at free indices are arbitrary, but follow from the seed.
 template <int d>
 void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint64_t seed);
 
-/// p, or where it is no place in the domain or another than `self` is there, one near it.
+/// p, or a position near it if p is outside the domain or the position of a vertex other than `self`.
 template <int d>
 [[nodiscard]] Coordinates<d> free_place(Coordinates<d> p, const Sites_of<d>& now, Index self);
 
@@ -39,7 +39,7 @@ template <int d>
 template <int d>
 [[nodiscard]] std::optional<Error_code> domain_verdict(const Coordinates<d>& p);
 
-/// Which numbers follow from a seed and others.
+/// A number that is a function of a seed and others.
 [[nodiscard]] std::uint64_t hashed(std::uint64_t a, std::uint64_t b = 0, std::uint64_t c = 0);
 
 }  // namespace annulus::oracle

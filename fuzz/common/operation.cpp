@@ -18,7 +18,7 @@ std::string identifier(std::string_view name) {
 constexpr std::array<std::string_view, refusals> refusal_names{
     "move_to_nan",     "move_to_infinity",       "move_out_of_domain", "insert_nan",        "insert_out_of_domain",
     "move_all_to_nan", "move_all_out_of_domain", "one_point_too_many", "one_point_too_few", "move_meets",
-    "insert_meets",    "move_all_meets",         "move_vacant",        "remove_vacant",     "move_beyond"};
+    "insert_meets",    "move_all_meets",         "move_free",          "remove_free",       "move_beyond"};
 
 template <int d>
 std::string operation_as_code(const Operation_of<d>& o) {

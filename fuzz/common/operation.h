@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What a caller does to a moving triangulation, as data: settings, operations, programs, and programs as code. No
-// CGAL here: what runs them is in program.h, and compiled once.
+// Calls of a moving triangulation as data: settings, operations, programs, and programs as code. No CGAL here: the code
+// that runs them is in program.h, and compiled once.
 //
-// An operation may hold what is meant rather than what is passed ("the third vertex that lives", "everybody a little
-// along the x axis"): the session resolves it when its turn comes, so a program stays legal whatever became of the
-// calls before it, and what is left of it when it is shrunk is legal too.
+// An operation may be symbolic instead of explicit ("the third existing vertex", "all vertices a little along the x
+// axis"): the session resolves it when it is run, so that a program stays legal whatever the results of earlier calls,
+// and remains legal when it is shrunk.
 
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/move_report.h>
@@ -24,7 +24,7 @@ namespace annulus::oracle {
 
 // ---- Settings -----------------------------------------------------------------------------------------------------
 
-/// One of the ways to keep a triangulation right.
+/// An update strategy with its options.
 struct Setting {
     Strategy strategy = Strategy::tolerances;
     Tolerance_kind tolerance = Tolerance_kind::certified;
@@ -51,7 +51,7 @@ inline constexpr std::array<Setting, 9> certified_settings{{{Strategy::rebuild},
                                                             {Strategy::paper_hybrid},
                                                             {Strategy::automatic}}};
 
-/// Those that promise no more than not to crash.
+/// Settings whose only guarantee is not to crash.
 inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, Tolerance_kind::floating},
                                                               {Strategy::paper, Tolerance_kind::paper},
                                                               {Strategy::paper_hybrid, Tolerance_kind::paper}}};
@@ -59,7 +59,7 @@ inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, 
 /// tolerances, tolerances-each, paper-floating ...
 [[nodiscard]] std::string name_of(const Setting& s);
 
-/// The filters, certified: what keeps tolerances from one call to the next.
+/// The certified strategies that keep tolerances from one call to the next.
 [[nodiscard]] inline std::vector<Setting> filter_settings() {
     std::vector<Setting> settings;
     for (const Setting& s : certified_settings)
@@ -82,7 +82,7 @@ enum class Operation_kind {
     refused,  ///< a call that must be refused
 };
 
-/// What all vertices do in a time step, from where they are.
+/// The motion of all vertices in a time step, from their present positions.
 enum class Motion {
     drift,           ///< all the same way
     own_ways,        ///< straight on, each its own way
@@ -94,8 +94,8 @@ enum class Motion {
     tolerances,      ///< `pace` tolerances from the fixed position, or, if the seed is odd, all the same way from here
     ulps,            ///< one or two ulps a coordinate
     few,             ///< one to three vertices, others after a while
-    exchange,        ///< two vertices, or if the seed is odd several in a cycle, take each other's places
-    there_and_back,  ///< a jitter, and home
+    exchange,        ///< two vertices, or if the seed is odd several in a cycle, exchange positions
+    there_and_back,  ///< a jitter, and back
     rest_and_go,     ///< rest, a step, rest
     bursts,          ///< a small jitter; now and then one vertex, or all, to any place
 };
@@ -116,12 +116,12 @@ enum class Refusal {
     move_all_out_of_domain,
     one_point_too_many,
     one_point_too_few,
-    move_meets,      ///< the place of another
+    move_meets,      ///< the position of another vertex
     insert_meets,    ///<
-    move_all_meets,  ///< two at one place, and the others a little way off
-    move_vacant,     ///< a free index, or, where there is none, the first beyond
-    remove_vacant,   ///<
-    move_beyond,     ///< no index at all
+    move_all_meets,  ///< two at one position, and the others moved a little
+    move_free,       ///< a free index, or, where there is none, the first beyond
+    remove_free,     ///<
+    move_beyond,     ///< not an index at all
 };
 inline constexpr std::size_t refusals = static_cast<std::size_t>(Refusal::move_beyond) + 1;
 
@@ -129,13 +129,13 @@ template <int d>
 struct Operation_of {
     using Kind = Operation_kind;
     Kind kind = Kind::recompute_tolerances;
-    Index vertex = none;                   ///< move, remove; refused: who or what in particular
+    Index vertex = none;                   ///< move, remove; refused: the vertex concerned
     std::vector<Coordinates<d>> points{};  ///< one for move and insert, all for move_all
-    bool fits = false;  ///< made legal: `vertex` counts the living ones, places that are taken or none are replaced
-    Motion motion{};    ///< steady
-    int times = 0;      ///< steady: time steps
-    double pace = 0.0;  ///< steady: share of the extent; in bursts and so on whatever their comment says
-    std::uint64_t seed = 0;  ///< steady: of all that is arbitrary in it. refused: which Refusal
+    bool fits = false;       ///< made legal: `vertex` counts existing ones, occupied or invalid positions are replaced
+    Motion motion{};         ///< steady
+    int times = 0;           ///< steady: time steps
+    double pace = 0.0;       ///< steady: share of the extent; in bursts and others see their comments
+    std::uint64_t seed = 0;  ///< steady: for its random numbers. refused: which Refusal
 };
 using Operation = Operation_of<2>;
 using Operation_3 = Operation_of<3>;
@@ -158,7 +158,7 @@ struct Calls {
     [[nodiscard]] static Operation move_some(Index k, const Place& p) { return {Kind::move, k, {p}, true}; }
     [[nodiscard]] static Operation insert_near(const Place& p) { return {Kind::insert, none, {p}, true}; }
     [[nodiscard]] static Operation remove_some(Index k) { return {Kind::remove, k, {}, true}; }
-    /// x: the vertices from the first on; the others, and those whose place is taken, stay.
+    /// x: the vertices from the first on; the others, and those whose target is occupied, stay.
     [[nodiscard]] static Operation move_most(std::vector<Place> x) {
         return {Kind::move_all, none, std::move(x), true};
     }
@@ -207,7 +207,7 @@ template <int d>
 
 // ---- Running ------------------------------------------------------------------------------------------------------
 
-/// What programs have reached, added up.
+/// The sum of what programs have covered.
 struct Coverage {
     std::uint64_t operations = 0;        ///< but recompute_tolerances(), which is always legal; a steady motion is one
     std::uint64_t legal_operations = 0;  ///< of these: what the model expects to be accepted
@@ -225,12 +225,12 @@ struct Coverage {
     [[nodiscard]] std::string words(std::string_view prefix = "") const;
 };
 
-/// Runs a program, checking everything after every call, and settled tolerances against rational numbers the first
-/// `rational` times, which is slow in 3D. Empty, or what went wrong and where.
+/// Runs a program, checks everything after every call, and compares recomputed tolerances with rational numbers the
+/// first `rational` times, which is slow in 3D. Empty, or the fault and its place.
 [[nodiscard]] std::string run(const Program& program, int rational = 64, Coverage* coverage = nullptr);
 [[nodiscard]] std::string run(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
 
-/// The same; what goes wrong is made small first, and comes with the program that shows it as code.
+/// The same; a failing program is shrunk first, and printed as code with the fault.
 [[nodiscard]] std::string run_and_shrink(const Program& program, int rational = 64, Coverage* coverage = nullptr);
 [[nodiscard]] std::string run_and_shrink(const Program_3& program, int rational = 2, Coverage* coverage = nullptr);
 

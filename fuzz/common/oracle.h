@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the fuzz targets and the property tests hold the library against: a fresh CGAL triangulation of the same
-// points, and the tolerance of a vertex in rational arithmetic. Nothing here calls the library's arithmetic.
+// References of the fuzz targets and the property tests: a fresh CGAL triangulation of the same points, and the
+// tolerance of a vertex in rational arithmetic. Nothing here calls the library's arithmetic.
 
 #include "motion.h"
 
@@ -15,7 +15,7 @@
 
 namespace annulus::oracle {
 
-/// The library's object of one dimension, and its points.
+/// The library's class of one dimension, and its points.
 template <int d>
 struct Space;
 
@@ -65,7 +65,7 @@ template <class Triangulation>
     return cells;
 }
 
-/// The same of CGAL's Delaunay triangulation of the sites, built from nothing.
+/// The same for CGAL's Delaunay triangulation of the sites, newly built.
 [[nodiscard]] Cells rebuilt_cells(const Sites& sites);
 
 // ---- Tolerances in rational arithmetic ----------------------------------------------------------------------------

@@ -59,7 +59,7 @@ std::string tolerance_fault(const Moving_delaunay_3& dt) {
             const double s = dt.tolerance(v);
             const auto name = [v] { return "the tolerance of vertex " + std::to_string(v->index()); };
             if (h.sign() > 0 ? !h.is_at_least(s) : s > 0.0) fault = name() + " is above the truth";
-            // Rounding to subnormal numbers may lose everything.
+            // Rounding to subnormal numbers may lose all accuracy.
             if (h.sign() <= 0 || !all.is_at_least(std::max(1.004 * s, 0x1p-1000)))
                 reached[static_cast<std::size_t>(v->index())] = 1;
         }

@@ -47,12 +47,12 @@ template <class Triangulation>
 
 [[nodiscard]] Cells_of<3> rebuilt_cells(const Sites_of<3>& sites);
 
-/// Empty, or in what the mesh is not CGAL's object corner for corner.
+/// Empty, or how the mesh differs from CGAL's object, compared corner by corner.
 [[nodiscard]] std::string view_fault(const Moving_delaunay_3& dt);
 
-/// Empty, or what is wrong with settled tolerances: each is at most the half width of every certificate that contains
-/// the vertex, and not far below the least of these and of the cells of its bi-cells. Nothing is said where the
-/// points are flat.
+/// Empty, or the fault of recomputed tolerances: each must be at most the half width of every certificate that contains
+/// the vertex, and not far below the least of these and of the cells of its bi-cells. Not checked where the points are
+/// flat.
 [[nodiscard]] std::string tolerance_fault(const Moving_delaunay_3& dt);
 
 }  // namespace annulus::oracle

@@ -28,15 +28,15 @@ State_of<Moving::dimension_of_space> state_of(const Moving& dt) {
     return s;
 }
 
-/// Empty, or what a call that failed has changed. If it `renews` tolerances, they and the references may be others,
-/// and as right.
+/// Empty, or what a failed call has changed. If it `renews` tolerances, they and the fixed positions may differ, but
+/// must be valid.
 template <int d>
 std::string difference(const State_of<d>& before, const State_of<d>& after, bool renews) {
     std::string s;
     if (before.positions != after.positions) s += " positions";
     if (!renews && before.fixed != after.fixed) s += " fixed-positions";
     if (before.cgal_points != after.cgal_points) s += " CGAL-points";
-    // There may be fewer before than after: paper-hybrid may have become paper.
+    // There may be fewer before than after: paper-hybrid may have switched to paper.
     const bool kept = before.tolerances.size() == after.tolerances.size();
     if (!renews && kept && before.tolerances != after.tolerances) s += " tolerances";
     if (before.handles != after.handles) s += " handles";
@@ -62,8 +62,7 @@ std::optional<Error_code> verdict(const std::vector<Coordinates<d>>& points) {
     return distinct.size() == points.size() ? std::nullopt : std::optional(Error_code::duplicate_point);
 }
 
-/// A call that had to be refused for no fault of the caller's: there is no room, where room is made scarce for the
-/// test.
+/// A call that must be refused although it is legal: the limits, which are tiny for tests, are reached.
 bool is_out_of_room(Error_code code) {
     if constexpr (Limits::tiny) return code == Error_code::too_large;
     return false;
@@ -108,7 +107,7 @@ void Session_of<d>::apply(const Operation_of<d>& o) {
     make(call);
 }
 
-/// A steady motion: checked after its first steps, and then ever less often.
+/// A steady motion: checked after its first steps, then less and less often.
 template <int d>
 void Session_of<d>::go_on(const Operation_of<d>& o) {
     const Sites_of<d> home = sites_;
@@ -165,9 +164,9 @@ void Session_of<d>::make(const Operation_of<d>& o) {
 
 // ---- The model ----------------------------------------------------------------------------------------------------
 
-/// Whether a call that fails may leave other tolerances. A move that finds its place taken may have flipped by then:
+/// Whether a failed call may leave other tolerances. A move whose target is occupied may have flipped cells already:
 /// the cells are rebuilt and evaluated (Tolerance_strategy::renew_renumbered). A time step of single moves may have
-/// gone half way: everything is evaluated where it was.
+/// been made in part: everything is evaluated at the old positions.
 template <int d>
 bool Session_of<d>::renews_tolerances(Kind kind, Error_code code) const {
     if (is_out_of_room(code)) return true;

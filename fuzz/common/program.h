@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A program of moves, insertions and removals in 2D or in 3D, run against the library with a model beside
-// it that knows what every call has to do. Shared by the fuzz targets (which decode bytes into programs) and the
-// property tests. Whoever only runs programs needs no more than operation.h, and is spared CGAL.
+// A program of moves, insertions and removals in 2D or in 3D, run against the library and a model that predicts the
+// result of every call. Shared by the fuzz targets (which decode bytes into programs) and the property tests. Code that
+// only runs programs needs only operation.h, without CGAL.
 
 #include "mesh_twin.h"
 #include "motion.h"
@@ -15,15 +15,14 @@
 
 namespace annulus::oracle {
 
-/// The strategies that do not compute a tolerance from cells and points whenever they are asked, which is slow
-/// in 3D.
+/// The strategies that keep tolerances; others compute one from cells and points for each query, which is slow in 3D.
 template <class Moving>
 [[nodiscard]] bool keeps_tolerances(const Moving& dt) {
     return dt.strategy() == Strategy::tolerances || dt.strategy() == Strategy::tolerances_each ||
            dt.strategy() == Strategy::paper;
 }
 
-/// All a caller can see of an object.
+/// All that a caller can observe of an object.
 template <int d>
 struct State_of {
     std::vector<Coordinates<d>> positions;
@@ -35,7 +34,7 @@ struct State_of {
     std::size_t vertices = 0;
 };
 
-/// The library's object and the model of what it must hold.
+/// The library's object and a model of its required state.
 template <int d>
 class Session_of {
   public:
@@ -58,15 +57,15 @@ class Session_of {
     /// Makes the call and compares it with the model; a steady motion is many calls, checked after some of them.
     /// Throws Fault.
     void apply(const Operation_of<d>& o);
-    /// Everything that must be true between calls. Throws Fault.
+    /// Checks the invariants between calls. Throws Fault.
     void check() const;
     /// To be called after recompute_tolerances(): tolerances against the exact ones. Throws Fault.
-    void check_settled_tolerances() const;
+    void check_recomputed_tolerances() const;
 
     [[nodiscard]] bool certified() const { return setting_.tolerance == Tolerance_kind::certified; }
-    /// The last call was, and left everything as it was: there is nothing new to check.
+    /// The last call was refused and changed nothing: there is nothing new to check.
     [[nodiscard]] bool refused() const { return refused_; }
-    /// A duplicate point was met under a kind of tolerance that promises nothing: the model has lost track.
+    /// A duplicate point occurred under a kind of tolerance without guarantee: the model is no longer valid.
     [[nodiscard]] bool wrecked() const { return wrecked_; }
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an operation means when its turn comes.
+// Resolves an operation when it is run.
 #include "program.h"
 
 #include <cmath>
@@ -26,7 +26,7 @@ std::vector<Coordinates<d>> Session_of<d>::present() const {
     return x;
 }
 
-/// The call that an operation means now.
+/// The call of an operation in the present state.
 template <int d>
 Operation_of<d> Session_of<d>::resolved(const Operation_of<d>& o) const {
     if (o.kind == Kind::refused) return refusal_of(static_cast<Refusal>(o.seed % refusals), at(std::max(o.vertex, 0)));
@@ -43,8 +43,7 @@ Operation_of<d> Session_of<d>::resolved(const Operation_of<d>& o) const {
     return call;
 }
 
-/// A call that is refused for this reason, or, where there are too few points for that, because of a point that is
-/// none.
+/// A call that is refused for this reason, or, where there are too few points for that, because of an invalid point.
 template <int d>
 Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -108,11 +107,11 @@ Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
             x[at(some(1))] = x[at(some(0))];
             return Calls<d>::move_all(x);
         }
-        case Refusal::move_vacant:
+        case Refusal::move_free:
             return Calls<d>::move(
                 free_indices_.empty() ? static_cast<Index>(sites_.size()) : free_indices_[who % free_indices_.size()],
                 Coordinates<d>{});
-        case Refusal::remove_vacant:
+        case Refusal::remove_free:
             return Calls<d>::remove(free_indices_.empty() ? static_cast<Index>(sites_.size())
                                                           : free_indices_[who % free_indices_.size()]);
         case Refusal::move_beyond:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must be true between calls, and programs from beginning to end.
+// Invariants between calls, and runs of whole programs.
 #include "program.h"
 #include "shrink.h"
 
@@ -7,7 +7,7 @@ namespace annulus::oracle {
 
 namespace {
 
-/// CGAL says no by throwing where its assertions are compiled in. In 3D it is asked for the combinatorics only.
+/// CGAL's is_valid throws on failure where its assertions are compiled in. In 3D only the combinatorics are checked.
 template <class Triangulation>
 bool cgal_agrees(const Triangulation& tr) {
     try {
@@ -47,7 +47,7 @@ void Session_of<d>::check() const {
     if (!audit.delaunay()) throw Fault{"audit: " + audit.first_fault};
     if (!cgal_agrees(tr)) throw Fault{"CGAL's object is not valid"};
     const Cells_of<d> cells = cells_of(tr);
-    // CGAL's perturbation makes the triangulation unique where the points do not.
+    // Where the points do not make the triangulation unique, CGAL's perturbation does.
     if (cells != rebuilt_cells(sites_))
         throw Fault{audit.degenerate_facets == 0 ? "the cells are not those of a rebuild"
                                                  : "the cells are not those of a rebuild (degenerate)"};
@@ -57,7 +57,7 @@ void Session_of<d>::check() const {
 }
 
 template <int d>
-void Session_of<d>::check_settled_tolerances() const {
+void Session_of<d>::check_recomputed_tolerances() const {
     if constexpr (d == 3) {
         if (sites_.size() > 8) return;  // rational numbers are slow
         if (const std::string words = tolerance_fault(*dt_); !words.empty()) throw Fault{words};
@@ -68,7 +68,7 @@ void Session_of<d>::check_settled_tolerances() const {
             const mpf_class found(dt_->tolerance(dt_->vertex(i)), precision);
             if (found > truth[i] * (1 + mpf_class(0x1p-200, precision)))
                 throw Fault{"the tolerance of vertex " + std::to_string(i) + " is above the truth"};
-            // Rounding to subnormal numbers may lose everything.
+            // Rounding to subnormal numbers may lose all accuracy.
             if (truth[i] > mpf_class(0x1p-1000, precision) &&
                 found < truth[i] * mpf_class(0.998 * Limits::kept, precision))
                 throw Fault{"the tolerance of vertex " + std::to_string(i) + " is far below the truth"};
@@ -94,7 +94,7 @@ std::string run_program(const Program_of<d>& program, int rational, Coverage* co
             session->apply(o);
             if (!session->refused()) session->check();
             if (o.kind == Operation_kind::recompute_tolerances && session->certified() && rational-- > 0)
-                session->check_settled_tolerances();
+                session->check_recomputed_tolerances();
         }
     } catch (const typename Session_of<d>::Fault& f) {
         fault = "operation " + std::to_string(step) + ": " + f.words;

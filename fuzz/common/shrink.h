@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Makes a program that fails small: fewer operations, then fewer points, then simpler ones. Greedy: whatever still
-// fails is kept. Operations that hold what is meant stay legal when others go (operation.h), so most attempts are
-// worth their run.
+// Shrinks a failing program: fewer operations, then fewer points, then simpler ones. Greedy: every change that still
+// fails is kept. Symbolic operations stay legal when others are removed (operation.h), so most attempts are useful.
 
 #include "operation.h"
 
@@ -12,8 +11,7 @@
 
 namespace annulus::oracle {
 
-/// How much there is to say about a number: nothing about 0, little about small integers, least bits of a double at
-/// the end.
+/// The complexity of a number: 0 has none, small integers have little, doubles with many bits the most.
 [[nodiscard]] inline int complexity(double x) {
     if (x == 0.0) return std::signbit(x) ? 2 : 0;
     if (!std::isfinite(x)) return 1;
@@ -52,7 +50,7 @@ class Shrinker {
         best_ = std::move(candidate);
         return true;
     }
-    /// Halves first, then single ones, from the end: what comes after the fault goes at once.
+    /// Halves first, then single ones, from the end: operations after the fault are removed at once.
     template <class Without>
     bool drop(std::size_t count, Without without) {
         bool any = false;
@@ -77,7 +75,7 @@ class Shrinker {
             return p;
         });
     }
-    /// Whoever comes after the points that go has another index.
+    /// Vertices after the removed points have other indices.
     bool drop_points() {
         return drop(best_.points.size(), [this](std::size_t begin, std::size_t end) {
             Program p = best_;
@@ -188,7 +186,7 @@ class Shrinker {
             if (point < o.points.size()) return o.points[point][c];
             point -= o.points.size();
         }
-        return p.points[0][0];  // not reached: i is below the number of them
+        return p.points[0][0];  // not reached: i is below their number
     }
 
     Program best_;
@@ -197,7 +195,7 @@ class Shrinker {
     Clock::time_point until_;
 };
 
-/// A program for which fails() is true, made small while it still is. Stops after so many runs or so long.
+/// Shrinks a program for which fails() is true, keeping it true. Stops after this many runs or this much time.
 template <int d, class Fails>
 [[nodiscard]] Program_of<d> shrunk(const Program_of<d>& program, Fails fails, int runs = 3000,
                                    std::chrono::seconds patience = std::chrono::seconds(10)) {

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <set>
 
-// What a table has, in a form that numbers of cells and order of corners do not enter.
+// The contents of a table, in a form that does not depend on numbers of cells and order of corners.
 namespace annulus::oracle {
 
 template <int d>
 using Cell_set = std::set<Cell_vertices<d>>;
 
-/// Cells as sets of vertices, those at infinity, too.
+/// Cells as sets of vertices, including infinite ones.
 template <int d>
 [[nodiscard]] Cell_set<d> cells_of(const Corner_table<d>& t) {
     Cell_set<d> cells;
@@ -24,7 +24,7 @@ template <int d>
     return cells;
 }
 
-/// Twins are mutual and share their vertices.
+/// Whether twins are mutual and share their vertices.
 template <int d>
 [[nodiscard]] bool glued(const Corner_table<d>& t) {
     for (const Cell_index c : t.cells())

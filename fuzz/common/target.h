@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What moves_2.cpp and moves_3.cpp do with their bytes.
+// The common part of moves_2.cpp and moves_3.cpp.
 
 #include "decode.h"
 
@@ -10,8 +10,8 @@
 
 namespace annulus::oracle {
 
-/// Runs the program that the bytes are. A find is made small and printed as code, and ends the process. At exit
-/// libFuzzer's statistics are followed by what the programs reached.
+/// Runs the program that the bytes encode. A find is shrunk and printed as code, and ends the process. At exit
+/// libFuzzer's statistics are followed by the coverage of the programs.
 template <int d>
 void run_bytes(std::span<const std::uint8_t> bytes) {
     static Coverage& coverage = []() -> Coverage& {

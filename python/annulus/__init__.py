@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Delaunay triangulations of moving points, certified after every move.
 
-`MovingDelaunay` keeps the triangulation of points of the plane or of space right while they move, and proves
-it. Names are those of `scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd`
-and `nodt` are the subcommands of the tool as functions. Everything that is computed is computed by the C++
-library of the same name.
+`MovingDelaunay` keeps the triangulation of points in 2D or 3D right while they move, and proves it. Names are
+those of `scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd` and `nodt` are
+the subcommands of the tool as functions. The C++ library of the same name does all computations.
 """
 
 from . import _core
 
-if not _core.in_main_interpreter():  # the main one had it already, and Python has handed on what it had
+if not _core.in_main_interpreter():  # the main one has imported it before, and Python passes its module on
     raise ImportError("annulus works in the main interpreter only, and this is a subinterpreter")
 
 from ._core import MoveReport

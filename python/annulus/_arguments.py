@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What arguments must be, and what is said of those that are something else: a sentence with the name of the
-argument, what was given, in short, and what is expected."""
+"""Checks of arguments. An error message is a sentence with the name of the argument, a short description of what
+was given, and what is expected."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DOMAINS = ("disc", "square")
 
 
 def described(value: object) -> str:
-    """A few words on a value, whatever it is."""
+    """A short description of a value of any type."""
     kind = type(value).__name__
     kind = kind if len(kind) <= 40 else kind[:37] + "..."
     if isinstance(value, np.ndarray):
@@ -42,7 +42,7 @@ def described(value: object) -> str:
 
 
 def choice(name: str, value: object, choices: tuple[str, ...]) -> str:
-    """One of a few words."""
+    """One of a few strings."""
     expected = f"{', '.join(choices[:-1])} or {choices[-1]}"
     if not isinstance(value, str):
         raise TypeError(f"{name} must be a str, one of {expected}; not {described(value)}")
@@ -52,12 +52,12 @@ def choice(name: str, value: object, choices: tuple[str, ...]) -> str:
 
 
 def whole(name: str, value: object, least: int, most: int) -> int:
-    """A whole number; truths are none, and neither are floats."""
+    """A whole number; bools and floats are refused."""
     if isinstance(value, (bool, np.bool_)) or not hasattr(type(value), "__index__"):
         raise TypeError(f"{name} must be a whole number, not {described(value)}")
     try:
         number = operator.index(typing.cast(typing.SupportsIndex, value))
-    except TypeError:  # arrays of more than one number, or of others
+    except TypeError:  # arrays of more than one number, or not of integers
         raise TypeError(f"{name} must be a whole number, not {described(value)}") from None
     if number < least or number > most:
         raise Error(f"{name} must be {least} or more, not {described(value)}" if number < least else
@@ -66,7 +66,7 @@ def whole(name: str, value: object, least: int, most: int) -> int:
 
 
 def number(name: str, value: object) -> float:
-    """A real number as a float. NaN is one; who uses it says what is in range."""
+    """A real number as a float. NaN is accepted; the caller checks the range."""
     one = value[()] if isinstance(value, np.ndarray) and value.ndim == 0 else value
     if isinstance(one, bool) or not isinstance(one, numbers.Real):
         raise TypeError(f"{name} must be a real number, not {described(value)}")
@@ -92,7 +92,7 @@ def truth(name: str, value: object) -> bool:
 
 
 def function(name: str, value: object) -> typing.Any:
-    """Something that can be called, or None."""
+    """A callable, or None."""
     if value is not None and not callable(value):
         raise TypeError(f"{name} must be a function or None, not {described(value)}")
     return value
@@ -117,7 +117,7 @@ def iterations_of(iterations: object) -> int:
 
 
 def file_of(name: str, path: str | os.PathLike[str]) -> bytes:
-    """The name of a file as the system takes it."""
+    """The name of a file, encoded for the operating system."""
     file = os.fsencode(path)
     if b"\0" in file:
         raise Error(f"{name} must be the name of a file, and such have no null characters", "usage")
@@ -125,7 +125,7 @@ def file_of(name: str, path: str | os.PathLike[str]) -> bytes:
 
 
 def array_of(value: object, name: str) -> np.ndarray[typing.Any, typing.Any]:
-    """The array that a value is, for the compiled module too. Which numbers it may have is decided there."""
+    """A value as an array; the compiled module calls this, too, and decides there which numbers are allowed."""
     if isinstance(value, np.ma.MaskedArray):
         raise TypeError(f"{name} must not be a masked array: say what shall stand where values are masked")
     if isinstance(value, np.ndarray):
@@ -140,7 +140,7 @@ def array_of(value: object, name: str) -> np.ndarray[typing.Any, typing.Any]:
         array = np.asarray(positions)
     except (TypeError, ValueError, OverflowError) as e:
         if has_array:
-            raise  # what it says of itself is clearer
+            raise  # the message of the object is clearer
         words = str(e).partition(".")[0]
         raise TypeError(f"{name} must be an array of numbers; {described(value)} is none: {words[:120]}") from None
     if array.dtype.kind not in "biuf":
@@ -156,17 +156,17 @@ def array_of(value: object, name: str) -> np.ndarray[typing.Any, typing.Any]:
 
 # ---- Objects of other packages -------------------------------------------------------------------------------------
 
-# Where they have their positions: ASE, MDAnalysis (an AtomGroup, a Timestep; a Universe), OVITO, GSD, pymatgen.
+# The attributes with positions: ASE, MDAnalysis (an AtomGroup, a Timestep; a Universe), OVITO, GSD, pymatgen.
 _PLACES = ("positions", "atoms.positions", "particles.positions", "particles.position", "cart_coords")
 _BOXES = ("dimensions", "box", "cell", "lattice", "configuration.box")
 
 
 def _attribute(value: object, path: str) -> typing.Any:
-    """What is at the end of a path of attributes; None where there is nothing."""
+    """The attribute at the end of a dotted path; None if there is none."""
     for name in path.split("."):
         try:
             value = getattr(value, name, None)
-        except Exception:  # a property that cannot tell
+        except Exception:  # a property that fails
             return None
     return value
 
@@ -180,7 +180,7 @@ def _positions(value: object) -> object:
 
 
 def has_box(value: object) -> bool:
-    """Whether an object carries a periodic box, by the attributes that such have elsewhere."""
+    """Whether an object has a periodic box, judged by the attributes that other packages use for one."""
     for path in ("", *_BOXES):
         box = _attribute(value, path) if path else value
         if box is None or isinstance(box, str) or callable(box) and path:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What of the package is compiled, for type checkers and editors.
+# Types of the compiled part of the package, for type checkers and editors.
 
 from __future__ import annotations
 

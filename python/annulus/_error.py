@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one exception of annulus, and its one warning."""
+"""The exception and the warning that annulus raises."""
 
 from __future__ import annotations
 
 
 class Error(ValueError):
-    """What annulus throws on purpose. The object a failed call was made on is as it was before the call.
+    """The exception that annulus raises. After a failed call, the object is as it was before the call.
 
     Attributes
     ----------
     code : str
-        The reason as a value; ``str(error)`` has it in words:
+        The reason as one of these strings; ``str(error)`` is the reason in words:
 
         ``not_finite``
             a coordinate is NaN or infinite
@@ -21,27 +21,27 @@ class Error(ValueError):
         ``too_few``
             an operation needs more points than there are
         ``wrong_size``
-            an array has not the shape that is needed
+            an array does not have the required shape
         ``unknown_vertex``
-            an index that names no vertex
+            an index is not that of a vertex
         ``environment``
             the floating-point unit is not in the state that the proofs assume: another module has set it to
-            flush subnormal numbers, or to another rounding
+            flush subnormal numbers, or to another rounding mode
         ``usage``
-            options that do not fit together, or do not exist
+            options do not exist, or exclude each other
         ``too_large``
-            more vertices or cells than indices can name
+            there are more vertices or cells than indices
         ``bad_input``
-            a file, a surface or a domain that is none
+            a file, a surface or a domain is not valid
     vertices : tuple of int
-        Indices of the vertices concerned, as far as they are known. Of a ``duplicate_point`` both, the smaller one first:
-        rows of the input where a triangulation is made, the one vertex that is there already where a point is
-        inserted, and none where two points to be inserted are equal: the message has their rows. Else the vertex
-        or point whose position or index is refused.
+        Indices of the vertices concerned, if they are known. For ``duplicate_point`` they are both vertices, the
+        smaller index first: rows of the input if a triangulation is constructed; only the existing vertex if a
+        point is inserted at its position; and none if two points to be inserted are equal, where the message has
+        their rows. Otherwise, the vertex or point whose position or index is refused.
 
     Notes
     -----
-    Values of the wrong type are a `TypeError`, memory that runs out is a `MemoryError`.
+    A value of the wrong type raises `TypeError`; if memory runs out, `MemoryError` is raised.
     """
 
     code: str
@@ -57,5 +57,5 @@ class Error(ValueError):
 
 
 class OpenBoundariesWarning(UserWarning):
-    """The object that points were taken from carries a periodic box, and there are no such boxes here: boundaries are
-    open."""
+    """The object that points were taken from has a periodic box. annulus does not support periodic boxes: boundaries
+    are open."""

@@ -15,7 +15,7 @@ from ._moving_delaunay import options_of
 
 
 class LloydResult(typing.NamedTuple):
-    """What `lloyd` comes to."""
+    """The result of `lloyd`."""
 
     points: NDArray[np.float64]
     mean_displacement: NDArray[np.float64]
@@ -24,7 +24,7 @@ class LloydResult(typing.NamedTuple):
 
 
 class NodtResult(typing.NamedTuple):
-    """What `nodt` comes to."""
+    """The result of `nodt`."""
 
     points: NDArray[np.float64]
     simplices: NDArray[np.int32]
@@ -35,31 +35,31 @@ class NodtResult(typing.NamedTuple):
 
 
 def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, typing.Any]:
-    """How degenerate points are: certified counts and distributions of their Delaunay triangulation.
+    """Measures how degenerate points are: certified counts and distributions of their Delaunay triangulation.
 
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        At least two that differ.
+        At least two distinct points.
     merge_duplicates : bool, optional
-        Count equal points once, instead of raising an `Error` with the code ``duplicate_point``.
+        Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``.
 
     Returns
     -------
     dict
-        The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and
-        None for what points on a line or in a plane do not have. ``file`` is empty.
+        The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and None
+        for values that do not exist for points on a line or in a plane. ``file`` is empty.
     """
     return _core.degeneracy(points, _arguments.truth("merge_duplicates", merge_duplicates))
 
 
 def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
-    """Five points of space where the paper's tolerance accepts a triangulation that is no longer Delaunay.
+    """Five points in 3D where the paper's tolerance accepts a triangulation that is no longer Delaunay.
 
     Parameters
     ----------
     delta : float, optional
-        How far two of them are inside the unit sphere, 2**-40 to 0.1.
+        How far two of the points are inside the unit sphere, 2**-40 to 0.1.
 
     Returns
     -------
@@ -73,45 +73,46 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
           domain: str | ArrayLike | None = None, radius: float | None = None, strategy: str = "auto",
           tolerance: str = "certified", merge_duplicates: bool = False, threads: int = 1, seed: int = 0,
           callback: Callable[[int, float, float], object] | None = None) -> LloydResult:
-    """Lloyd's iterations in the plane: every point goes to the centroid of its Voronoi cell, again and again.
+    """Lloyd's iterations in 2D: in each iteration every point moves to the centroid of its Voronoi cell.
 
     Parameters
     ----------
     points : int or array_like, shape (n, 2)
-        How many to sample with the density, or where they are: at least three, in the domain.
+        The number of points to sample with the density, or their positions: at least three, in the domain.
     iterations : int, optional
-        How many.
+        Number of iterations.
     density : str, optional
-        Under which centroids are taken: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the
-        origin, in radians).
+        The density of the centroids: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the origin, in
+        radians).
     domain : str or array_like, shape (m, 2), optional
-        To which cells are cut: ``disc``, ``square`` or the corners of a convex polygon, in order, either way
-        round. The first may be repeated at the end, others too, and corners may lie on edges: the result is
-        the same, bit for bit. Without it the disc for points that are sampled, the convex hull for those that
-        are given.
+        The domain to which cells are clipped: ``disc``, ``square`` or the corners of a convex polygon, in
+        clockwise or counter-clockwise order. The first corner may be repeated at the end, other corners may be
+        repeated as well, and corners may lie on edges: the result is the same, bit for bit. By default, the disc
+        for sampled points, and the convex hull for given ones.
     radius : float, optional
-        Of the disc, or half the side of the square: 1, or 2 pi for ``sin2``.
+        Radius of the disc, or half the side of the square. By default 1, or 2 pi for ``sin2``.
     strategy, tolerance, merge_duplicates, threads, seed
-        As for `MovingDelaunay`; the seed is of the sample too. The result does not depend on ``threads``, nor
-        on certified strategies.
+        As for `MovingDelaunay`; the seed is also that of the sample. The result does not depend on ``threads``,
+        nor on the strategy if it is certified.
     callback : callable, optional
-        ``callback(step, mean_displacement, max_displacement)`` is called after each step, counted from 1;
-        what it returns ends the iterations if it is true.
+        ``callback(step, mean_displacement, max_displacement)`` is called after each step, counted from 1. If it
+        returns a true value, the iterations end.
 
     Returns
     -------
     LloydResult
         ``points`` (n, 2); ``mean_displacement`` and ``max_displacement`` by step, in the unit of the points;
-        ``report``, the sum of the steps' reports.
+        ``report``, the sum of the reports of all steps.
 
     Raises
     ------
     Error
-        ``usage``, ``bad_input`` for a domain that is none, ``out_of_domain``, and those of `MovingDelaunay`.
+        With the codes ``usage``, ``bad_input`` for an invalid domain, ``out_of_domain``, and those of
+        `MovingDelaunay`.
 
     Notes
     -----
-    A signal is seen between two steps.
+    Signals are handled between two steps.
     """
     options = _arguments.options(strategy, tolerance, merge_duplicates, threads, False, seed)
     how_many = not isinstance(points, (np.ndarray, list, tuple)) and hasattr(type(points), "__index__")
@@ -128,43 +129,44 @@ def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices
          gradation: float = 0.0, lock: float | None = None, allow_crossing: bool = False, strategy: str = "auto",
          tolerance: str = "certified", threads: int = 1, seed: int = 0,
          callback: Callable[[int, float, float], object] | None = None) -> NodtResult:
-    """Natural-ODT optimisation of a tetrahedral mesh of what a closed surface encloses.
+    """Natural-ODT optimisation of a tetrahedral mesh of the domain inside a closed surface.
 
     Parameters
     ----------
     surface : str, path or pair of array_like
         ``"sphere"``, the unit sphere; a .off, .obj, .ply or .stl file; or points (n, 3) and triangles (m, 3)
-        that meet in common corners and edges, and turn the same way seen from outside.
+        that meet in common corners and edges, and have the same orientation seen from outside.
     vertices : int
-        About how many: the size of cells is searched for.
+        Approximate number of vertices: the size of cells is searched for.
     iterations : int, optional
-        How many.
+        Number of iterations.
     gradation : float, optional
-        Edges grow with the distance from the surface, to 1 + `gradation` times as long at the depth of the
-        ball of the same volume.
+        Edges grow with the distance from the surface: at the depth of the ball of the same volume they are
+        1 + `gradation` times as long.
     lock : float, optional
-        A vertex rests while all dihedral angles of its cells are between this and 180 less it, in degrees.
+        A vertex rests while all dihedral angles of its cells are between `lock` and 180 - `lock`, in degrees.
     allow_crossing : bool, optional
-        Take a surface that crosses itself: inside is where a ray leaves it an odd number of times.
+        Accept a surface that crosses itself: a point is inside if a ray from it crosses the surface an odd number
+        of times.
     strategy, tolerance, threads, seed, callback
-        As for `lloyd`; the seed is of the first mesh too.
+        As for `lloyd`; the seed is also that of the initial mesh.
 
     Returns
     -------
     NodtResult
         ``points`` (n, 3); ``simplices`` (m, 4), the cells of the domain, positively oriented; ``on_surface``
-        (n,), the vertices that were on the surface in the first mesh, which stay on it; displacements by
-        step; ``report``, the sum of the steps' reports.
+        (n,), the vertices that were on the surface in the initial mesh, which stay on it;
+        ``mean_displacement`` and ``max_displacement`` by step; ``report``, the sum of the reports of all steps.
 
     Raises
     ------
     Error
-        ``usage``, ``bad_input`` for a surface that is none, ``too_few`` where no mesh of so many vertices was
-        found, and others.
+        With the codes ``usage``, ``bad_input`` for an invalid surface, ``too_few`` if no mesh with that number of
+        vertices was found, and others.
 
     Notes
     -----
-    A signal is seen between two steps, and not while the first mesh is made, by CGAL's Mesh_3.
+    Signals are handled between two steps, but not while CGAL's Mesh_3 generates the initial mesh.
     """
     options = _arguments.options(strategy, tolerance, False, threads, False, seed)
     return NodtResult(*_core.nodt(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`MovingDelaunay`: what users see of the compiled classes `Mesh2` and `Mesh3`."""
+"""`MovingDelaunay`, the public class over the compiled classes `Mesh2` and `Mesh3`."""
 
 from __future__ import annotations
 
@@ -16,34 +16,34 @@ from ._queries import Indices, Queries
 class MovingDelaunay(Queries):
     """A Delaunay triangulation that is kept right while its vertices move.
 
-    After every call, with ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points
-    where they are now. That is proved in every step, by tolerances within which nothing can change and by
-    exact signs where a tolerance does not tell.
+    With ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points at their current
+    positions after every call. Every step proves this: by tolerances, within which nothing can change, and by
+    exact signs where a tolerance is exceeded.
 
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length. Boundaries are open: there are no periodic boxes, and of an object
-        that carries one its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are
-        taken exactly; what would have to be rounded to float64 (long doubles, integers that are none) is a
-        `TypeError`. There may be any number of points, also fewer than d + 1, and they may lie on a line or in
-        a plane.
+        Positions, in any unit of length. Boundaries are open; periodic boxes are not supported. If an object has
+        one, its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are converted exactly;
+        values that would have to be rounded to float64 (long doubles, integers that are no float64) raise a
+        `TypeError`. Any number of points is allowed, also fewer than d + 1, and they may lie on a line or in a
+        plane.
     strategy : str, optional
-        How the triangulation is kept right: ``auto`` (the cheapest of tolerances, signs with flips, and
-        rebuilding, as counts tell), ``tolerances``, ``tolerances-each``, ``in-place``, ``rebuild``, ``relocate``,
-        ``relocate-flips``, ``paper`` or ``paper-hybrid``.
+        How the triangulation is kept right: ``auto`` (in each step the cheapest of tolerances, signs with flips,
+        and rebuilding, as estimated from counts), ``tolerances``, ``tolerances-each``, ``in-place``, ``rebuild``,
+        ``relocate``, ``relocate-flips``, ``paper`` or ``paper-hybrid``.
     tolerance : str, optional
         ``certified``, a proved lower bound; with the strategies ``paper`` and ``paper-hybrid`` also ``paper`` and
-        ``floating``, which are uncertified, for comparison. ``paper`` is unsound in 3D.
+        ``floating``, which are uncertified and meant for comparison. ``paper`` is unsound in 3D.
     merge_duplicates : bool, optional
-        Equal points become one vertex (see `vertex_of_input`). Without it they are an `Error` with the code
-        ``duplicate_point``.
+        Merge duplicate points into one vertex (see `vertex_of_input`). By default they raise an `Error` with the
+        code ``duplicate_point``.
     threads : int, optional
-        How many may work on what is parallel. Results do not depend on it.
+        Number of threads for the parallel parts. Results do not depend on it.
     report_changes : bool, optional
         Whether reports list `changed_simplices` and `removed_simplices`.
     seed : int, optional
-        Of the sample that ``paper-hybrid`` draws.
+        Seed of the sample that ``paper-hybrid`` draws.
 
     Raises
     ------
@@ -53,26 +53,26 @@ class MovingDelaunay(Queries):
 
     Notes
     -----
-    **Indices.** Vertices have the index of their row in `points`; negative ones are not allowed. `remove` leaves
-    an index free, `insert` takes those that are free, the one freed last first, and then new ones. At
-    free indices every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`,
-    `voronoi_volumes`) is NaN, `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex names
-    them. `move` takes a row for them all the same and ignores it.
+    **Indices.** The index of a vertex is its row in `points`; negative indices are not allowed. `remove` makes
+    indices free; `insert` takes the free indices, the one freed last first, and then new ones. At free indices
+    every array of numbers by vertex (`points`, `tolerances`, `theta`, `displacements`, `voronoi_volumes`) is NaN,
+    `vertex_to_simplex` is -1, the list of neighbours is empty, and no simplex contains them. `move` needs a row
+    for them nevertheless, and ignores it.
 
-    **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex`,
-    `vertex_neighbor_vertices` are read-only arrays that show one moment: they stay as they are when vertices
-    move, and when the triangulation is gone. They are copied once after a change, when they are asked for;
-    asking again costs nothing.
+    **Arrays.** `points`, `simplices`, `neighbors`, `flat_simplices`, `vertex_to_simplex` and
+    `vertex_neighbor_vertices` are read-only snapshots: they do not change when vertices move, and remain valid
+    when the triangulation is deleted. The first access after a change copies them; further accesses cost nothing.
 
-    **Threads.** The GIL is released while something is computed; calls on one object from several threads
-    take turns, and each is of one moment. float64 in C order is read where it is if NumPy has allocated it
-    and Python has one thread; all else is copied first, so that no other thread of Python and no other
-    process writes in what is being read. A signal (Ctrl-C) is seen after the call, by `audit` now and then.
+    **Threads.** The GIL is released during computations. Calls on one object from several threads are
+    serialised, and the result of each is that of one moment. float64 arrays in C order are read in place if NumPy
+    has allocated them and Python has one thread; all others are copied first, so that no other thread of Python
+    and no other process can write to an array while it is read. A signal (Ctrl-C) is handled after the call, in
+    `audit` also during it.
 
-    **Processes.** A child of `os.fork` may go on with its copy, with ``threads=1``; if another thread was in a
-    call on the object when it was forked, using it there is a `RuntimeError`. Pickling keeps positions,
-    indices and options; tolerances are fresh then, and where d + 2 points are cocircular or cospherical the
-    simplices are those of a rebuild.
+    **Processes.** A child of `os.fork` may use its copy, with ``threads=1``. If another thread was in a call on
+    the object at the time of the fork, using it in the child raises a `RuntimeError`. Pickling keeps positions,
+    indices and options. After unpickling, tolerances are computed again, and where d + 2 points are cocircular or
+    cospherical the simplices are those of a rebuild.
 
     Examples
     --------
@@ -98,36 +98,36 @@ class MovingDelaunay(Queries):
         mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(array, options_of(options))
         self._options = options
         self._mesh = mesh
-        self._index_of_input = mesh.vertex_of_input
-        self._index_of_input.flags.writeable = False
+        self._vertex_of_input = mesh.vertex_of_input
+        self._vertex_of_input.flags.writeable = False
 
-    # ---- What changes it ---------------------------------------------------------------------
+    # ---- Changes -----------------------------------------------------------------------------
 
     def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveReport:
-        """Moves all vertices, or some, at once.
+        """Moves all or some vertices at the same time.
 
         Parameters
         ----------
         points : array_like, shape (npoints, d) or (k, d)
-            Where they go. Rows of free indices are ignored.
+            The new positions. Rows of free indices are ignored.
         indices : array_like of int, shape (k,), optional
-            Indices of the vertices to move; all of them by default. For one that is named twice the last row holds.
+            Indices of the vertices to move; all of them by default. If an index occurs twice, its last row counts.
 
         Returns
         -------
         MoveReport
-            What became of the vertices, what was computed, and the simplices that came and went.
+            What happened to the vertices, what was computed, and the simplices that were created and removed.
 
         Raises
         ------
         Error
-            ``duplicate_point`` where two vertices would be at one place, ``wrong_size``, ``unknown_vertex``,
-            ``not_finite``, ``out_of_domain``; no vertex has moved then.
+            With the codes ``duplicate_point`` if two vertices would be at one position, ``wrong_size``,
+            ``unknown_vertex``, ``not_finite``, ``out_of_domain``; no vertex has moved then.
         """
         return self._mesh.move(points, indices)
 
     def insert(self, points: ArrayLike) -> Indices:
-        """Inserts vertices, all of them or, when it raises, none.
+        """Inserts vertices: all of them or, if it raises an exception, none.
 
         Parameters
         ----------
@@ -136,28 +136,28 @@ class MovingDelaunay(Queries):
         Returns
         -------
         ndarray of int32, shape (k,)
-            Their indices: those that are free, the one freed last first, then new ones.
+            Their indices: first free ones, the one freed last first, then new ones.
 
         Raises
         ------
         Error
-            ``duplicate_point`` where a vertex is (`merge_duplicates` does not apply here), ``wrong_size``,
-            ``not_finite``, ``out_of_domain``, ``too_large``.
+            With the codes ``duplicate_point`` if a vertex is at this position already (`merge_duplicates` does not
+            apply here), ``wrong_size``, ``not_finite``, ``out_of_domain``, ``too_large``.
 
         Notes
         -----
-        A vertex is found near the place in O(log n), and a walk goes from there: on average 6 to 8 triangles for
-        10,000 to a million random points, 9 to 12 tetrahedra for 10,000 to 200,000. Ten to twenty microseconds each in
-        the plane, some forty in space. What else it costs: the first insertion after a construction copies arrays,
-        O(n); while all points are in a plane or on a line each one rebuilds everything, O(n log n); where a vertex
-        has k neighbours it may take O(k). More than one at once are first compared with all positions, which takes
-        O(n). When memory runs out half way, those that were inserted are taken out again, and there may be more free
-        indices than before.
+        An insertion finds a vertex near the point in O(log n) and walks from there: on average through 6 to 8
+        triangles for 10,000 to a million random points, or 9 to 12 tetrahedra for 10,000 to 200,000. One insertion
+        takes ten to twenty microseconds in 2D, about forty in 3D. Additional costs: the first insertion after a
+        construction copies arrays, O(n); while all points are in a plane or on a line, each insertion rebuilds
+        everything, O(n log n); at a vertex with k neighbours it may take O(k). If more than one point is inserted,
+        they are first compared with all positions, O(n). If memory runs out half way, the vertices inserted so far
+        are removed again, and there may be more free indices than before.
         """
         return self._mesh.insert(points)
 
     def remove(self, indices: ArrayLike) -> None:
-        """Removes vertices, all of them or, when it raises an `Error`, none; their indices become free.
+        """Removes vertices: all of them or, if it raises an `Error`, none. Their indices become free.
 
         Parameters
         ----------
@@ -166,20 +166,19 @@ class MovingDelaunay(Queries):
         Raises
         ------
         Error
-            ``unknown_vertex`` for an index that is no vertex', or is there twice.
+            With the code ``unknown_vertex`` for an index that is not that of a vertex, or that occurs twice.
         """
         self._mesh.remove(indices)
 
     def recompute_tolerances(self) -> _core.MoveReport:
-        """Makes every tolerance fresh, to be measured from where the vertices are now. O(n)."""
+        """Computes every tolerance again, measured from the current positions of the vertices. O(n)."""
         return self._mesh.recompute_tolerances()
 
     def __repr__(self) -> str:
         if not hasattr(self, "_mesh"):
             return f"<{type(self).__name__}: not initialised>"
         n, strategy = self._mesh.summary()
-        return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in "
-                f"{'the plane' if self.ndim == 2 else 'space'}, "
+        return (f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in {self.ndim}D, "
                 f"strategy {strategy!r}, tolerance {self._options['tolerance']!r}>")
 
     # ---- Pickling and copying ----------------------------------------------------------------
@@ -187,7 +186,7 @@ class MovingDelaunay(Queries):
     def __getstate__(self) -> dict[str, typing.Any]:
         more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
         points, free_indices = self._mesh.state()
-        return {"format": 1, "points": points, "free_indices": free, "more": more}
+        return {"format": 1, "points": points, "free_indices": free_indices, "more": more}
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
         if not isinstance(state, dict) or not {"format", "points", "free_indices", "more"} <= state.keys():
@@ -200,10 +199,10 @@ class MovingDelaunay(Queries):
         kind = _core.Mesh2 if points.shape[1] == 2 else _core.Mesh3
         self._mesh = kind.build_again(points, state["free_indices"], options_of(more["_options"]))
         self.__dict__.update(more)
-        self._index_of_input.flags.writeable = False
+        self._vertex_of_input.flags.writeable = False
 
 
 def options_of(o: dict[str, typing.Any]) -> _core.Options:
-    """What the compiled module takes, of options that `_arguments.options` has looked at."""
+    """The options for the compiled module, from those that `_arguments.options` has checked."""
     return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"],
                          o["seed"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is read off a `MovingDelaunay`: its attributes."""
+"""The attributes and queries of `MovingDelaunay`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Indices = NDArray[np.int32]
 
 
 class AuditResult(typing.NamedTuple):
-    """The verdict of `MovingDelaunay.audit`, and the first fault found. True where the triangulation is Delaunay."""
+    """The result of `MovingDelaunay.audit`: counts of faults, and the first fault found. True if Delaunay."""
 
     delaunay: bool
     inverted_cells: int
@@ -30,7 +30,7 @@ class AuditResult(typing.NamedTuple):
 
 
 def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core.MoveReport:
-    """What a pickled `MoveReport` is made again by."""
+    """Creates a `MoveReport` from its pickled state."""
     return _core.report_of(state)
 
 
@@ -38,41 +38,41 @@ class Queries:
     """The part of `MovingDelaunay` that changes nothing."""
 
     _mesh: _core.Mesh2 | _core.Mesh3
-    _index_of_input: Indices
+    _vertex_of_input: Indices
 
     @property
     def points(self) -> Floats:
-        """ndarray of float64, shape (npoints, d): positions by vertex index, NaN at free indices. Read-only, as of
-        now."""
+        """ndarray of float64, shape (npoints, d): current positions by vertex index, NaN at free indices. Read-only,
+        a snapshot."""
         return self._mesh.points
 
     @property
     def simplices(self) -> Indices:
         """ndarray of int32, shape (nsimplex, d + 1): vertices of the simplices, positively oriented.
 
-        Counter-clockwise in the plane; in space the determinant of the differences from the first vertex is
-        positive. None, shape (0, d + 1), where the points do not span the plane or space: see
-        `flat_simplices`. Their order has no meaning and changes.
+        Counter-clockwise in 2D; in 3D the determinant of the differences from the first vertex is positive. If the
+        points do not span d dimensions there are none, shape (0, d + 1): see `flat_simplices`. The order of the
+        rows has no meaning and may change.
         """
         return self._mesh.simplices
 
     @property
     def neighbors(self) -> Indices:
-        """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each vertex; -1
-        outside."""
+        """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each vertex; -1 outside
+        the hull."""
         return self._mesh.neighbors
 
     @property
     def flat_simplices(self) -> Indices:
-        """ndarray of int32, shape (m, k + 1): where the points span only k < d dimensions, their triangles or edges;
-        else (0, d + 1)."""
+        """ndarray of int32, shape (m, k + 1): the triangles or edges of points that span only k < d dimensions;
+        otherwise shape (0, d + 1)."""
         return self._mesh.flat_simplices
 
     @property
     def convex_hull(self) -> Indices:
-        """ndarray of int32, shape (m, d): the facets with nothing beyond them.
+        """ndarray of int32, shape (m, d): the facets of the convex hull.
 
-        In the plane with the triangulation to their left, in space counter-clockwise as seen from outside.
+        In 2D the triangulation is to their left; in 3D they are counter-clockwise seen from outside.
         """
         return self._mesh.convex_hull
 
@@ -84,53 +84,53 @@ class Queries:
 
     @property
     def vertex_to_simplex(self) -> Indices:
-        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at free indices and where there are no
+        """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at free indices and if there are no
         simplices."""
         return self._mesh.vertex_to_simplex
 
     @property
     def tolerances(self) -> Floats:
-        """ndarray of float64, shape (npoints,): how far each vertex may be from where its tolerance is measured, in
-        the unit of the points.
+        """ndarray of float64, shape (npoints,): how far each vertex may be from its fixed position, in the unit of the
+        points.
 
-        While every vertex is within its own, the triangulation is Delaunay; with ``tolerance="certified"``
-        these are proved lower bounds. While no tolerances are kept (``auto`` decides when), the least
-        tolerance of the certificates of each vertex. 0 where the points do not span the space, NaN at free
-        indices.
+        The fixed position is where the vertex was when its tolerance was last measured. While every vertex is
+        within its tolerance, the triangulation is Delaunay; with ``tolerance="certified"`` the tolerances are
+        proved lower bounds. While no tolerances are kept (``auto`` decides when), the least tolerance of the
+        certificates of each vertex. 0 if the points do not span d dimensions, NaN at free indices.
         """
         return self._mesh.tolerances
 
     @property
     def theta(self) -> Floats:
-        """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex, in radians; pi/2
-        without one, NaN if free.
+        """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex, in radians; pi/2 if
+        it has none, NaN at free indices.
 
-        It is small where two neighbouring simplices have nearly the same circumscribed circle or sphere.
+        It is small where two neighbouring simplices have nearly the same circumcircle or circumsphere.
         """
         return self._mesh.theta
 
     @property
     def displacements(self) -> Floats:
-        """ndarray of float64, shape (npoints,): an upper bound of how far each vertex is from where its tolerance is
-        measured; NaN if free."""
+        """ndarray of float64, shape (npoints,): an upper bound of the distance of each vertex from its fixed position;
+        NaN at free indices."""
         return self._mesh.displacements
 
     def voronoi_volumes(self) -> Floats:
-        """The areas (in the plane) or volumes of the Voronoi cells, in the unit of the points to the power of d.
+        """The areas (2D) or volumes (3D) of the Voronoi cells, in the unit of the points to the power of d.
 
         Returns
         -------
         ndarray of float64, shape (npoints,)
-            ``inf`` for unbounded cells, at the vertices of the hull; NaN at free indices.
+            ``inf`` for unbounded cells, those of the vertices of the hull; NaN at free indices.
 
         Notes
         -----
-        Each number has a relative error of at most 2**-33, 1.2e-10, whatever the points. A number above the
-        largest double is that one; one below the smallest normal double, 2**-1022, has an absolute error of
-        2**-1074 besides.
+        Each number has a relative error of at most 2**-33, 1.2e-10, for any points. Numbers saturate at the
+        largest double; those below the smallest normal double, 2**-1022, have an additional absolute error of
+        2**-1074.
 
-        Volumes are kept from the first call on: later ones compute those that moves and changes of simplices
-        since then concern, with the same result to the last bit.
+        Volumes are kept from the first call on: later calls compute only those that are affected by moves and
+        changes of simplices since then, with the same result to the last bit.
         """
         return self._mesh.voronoi_volumes()
 
@@ -144,24 +144,24 @@ class Queries:
         Returns
         -------
         ndarray of int32, shape (...)
-            Rows of `simplices`; -1 outside of the convex hull and for NaN. A point on a facet is in either of
-            its simplices.
+            Rows of `simplices`; -1 outside the convex hull and for NaN. For a point on a facet, it is either of the
+            simplices of that facet.
         """
         return self._mesh.find_simplex(xi)
 
     def audit(self) -> AuditResult:
-        """Looks at all of it with integer arithmetic, which shares no code with what it audits. O(n), microseconds a
-        simplex.
+        """Checks the whole triangulation in integer arithmetic, with code that it does not share with what it checks.
+        O(n), microseconds per simplex.
 
         Returns
         -------
         AuditResult
-            Vertices in `first_fault` are named by their indices.
+            `first_fault` has the indices of vertices.
 
         Notes
         -----
-        It is of one moment: other threads may move the triangulation on meanwhile. Signals (Ctrl-C) are seen
-        now and then while it looks.
+        The result is that of one moment: other threads may move vertices during the audit. Signals (Ctrl-C) are
+        handled from time to time during the audit.
         """
         return AuditResult(*self._mesh.audit())
 
@@ -172,7 +172,7 @@ class Queries:
 
     @property
     def affine_dimension(self) -> int:
-        """int: that which the points span; -1 without points."""
+        """int: the dimension that the points span; -1 without points."""
         return self._mesh.dimension
 
     @property
@@ -182,7 +182,7 @@ class Queries:
 
     @property
     def nvertices(self) -> int:
-        """int: vertices, free indices not counted."""
+        """int: number of vertices, without free indices."""
         return self._mesh.vertices
 
     @property
@@ -197,12 +197,12 @@ class Queries:
 
     @property
     def vertex_of_input(self) -> Indices:
-        """ndarray of int32, shape (n,): the vertex that each point became in the beginning; not 0, 1, 2 .. only where
-        some were merged."""
-        return self._index_of_input
+        """ndarray of int32, shape (n,): the vertex of each point given to the constructor: 0, 1, 2, .. unless duplicate
+        points were merged."""
+        return self._vertex_of_input
 
     @property
     def strategy(self) -> str:
-        """str: the strategy in force: that of the options, but that ``paper-hybrid`` becomes ``paper`` when it
+        """str: the strategy in use: that of the options, except that ``paper-hybrid`` becomes ``paper`` when it
         switches."""
         return self._mesh.strategy

@@ -19,7 +19,7 @@ std::string shape_of(const py::array& a) {
 
 namespace {
 
-/// numpy.asarray of it. Nearly always it is an array of NumPy's own, and there is nothing to ask.
+/// numpy.asarray of the object. In nearly all cases it is a NumPy array already and returned as it is.
 py::array array_of(const py::object& object, const char* name) {
     if (Py_TYPE(object.ptr()) == py::detail::npy_api::get().PyArray_Type_)
         return py::reinterpret_borrow<py::array>(object);
@@ -34,13 +34,13 @@ py::array array_of(const py::object& object, const char* name) {
     return py::reinterpret_steal<py::array>(made);
 }
 
-/// "float128", say, and nothing long.
+/// The name of a dtype, such as "float128", if it is short.
 std::string dtype_of(const py::array& a) {
     const auto text = py::str(py::object(a.dtype())).cast<std::string>();
     return text.size() <= 40 ? text : "a structured type";
 }
 
-/// The same numbers in C order as another type, which holds them; or the array itself.
+/// The same numbers in C order as type T, which must be able to hold them; or the array itself.
 template <class T>
 py::array_t<T, c_array> converted(const py::array& a) {
     return may_wait_for_gil([&] { return py::array_t<T, c_array>(a); });
@@ -53,8 +53,8 @@ py::array_t<T, c_array> copied(const py::array_t<T, c_array>& a) {
     return copy;
 }
 
-/// int64 and uint64 are more than doubles have digits for. What was compared is what is taken, whatever is written
-/// meanwhile.
+/// Converts int64 or uint64, which may have more digits than a double. Copies first, so that the numbers that are
+/// compared are those that are returned, even if another thread writes to the array.
 template <class T>
 Numbers exact(const py::array& a, const char* name) {
     auto numbers = converted<T>(a);
@@ -71,11 +71,11 @@ Numbers exact(const py::array& a, const char* name) {
     return out;
 }
 
-/// Whether another thread of Python could write in an array while nobody here holds the GIL.
+/// Whether another thread of Python could write to an array while this thread does not hold the GIL.
 bool other_threads() { return PyThreadState_Next(PyInterpreterState_ThreadHead(PyInterpreterState_Get())) != nullptr; }
 
-/// Whether the memory is NumPy's own, of this process alone: that of an array, or part of it, which NumPy has
-/// allocated. What comes from a file, from shared memory or from another package is not.
+/// Whether NumPy has allocated the memory of this array, or of the array that it is a view of, so that no other process
+/// can write to it. This excludes memory from a file, shared memory, and memory of other packages.
 bool is_private(const py::array& a) {
     py::handle owner = a;
     for (int depth = 0; depth < 32 && owner && Py_TYPE(owner.ptr()) == py::detail::npy_api::get().PyArray_Type_;
@@ -98,7 +98,7 @@ Numbers numbers_of(const py::object& object, const char* name) {
     if (given.itemsize() == 8 && kind == 'i') return exact<std::int64_t>(given, name);
     if (given.itemsize() == 8 && kind == 'u') return exact<std::uint64_t>(given, name);
     const Numbers numbers = converted<double>(given);
-    // What is read more than once must not change in between, or what was proved of one position is believed of
+    // The library reads a position more than once. If it changed in between, a proof for one position would be used for
     // another.
     const bool fresh = numbers.owndata() && !numbers.is(given);
     return fresh || (!other_threads() && is_private(numbers)) ? numbers : copied(numbers);

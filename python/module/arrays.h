@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-// NumPy's arrays in and out.
+// Conversion from and to NumPy arrays.
 namespace annulus::python {
 
 namespace py = pybind11;
@@ -25,19 +25,19 @@ namespace py = pybind11;
 constexpr int c_array = py::array::c_style | 0x0100;  // NPY_ARRAY_ALIGNED, which pybind11 does not name
 using Numbers = py::array_t<double, c_array>;
 
-/// Where a vertex is in an array.
+/// The position of a vertex in an array by vertex index.
 [[nodiscard]] inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 [[nodiscard]] std::string shape_of(const py::array& a);
 
-/// What numpy.asarray makes of it as doubles in C order: itself if it is that and its memory is NumPy's own, of this
-/// process, with no other thread of Python there to write in it; else a copy. Throws TypeError where that could
-/// round: of long doubles, complex numbers, objects, whole numbers that are no doubles; and for masked arrays, whose
-/// masks would be lost.
+/// The result of numpy.asarray as doubles in C order. It is the object itself if that is such an array, NumPy has
+/// allocated its memory in this process, and no other thread of Python exists that could write to it; otherwise a copy.
+/// Throws TypeError if the conversion could round: for long doubles, complex numbers, objects, and integers that are no
+/// doubles; and for masked arrays, whose masks would be lost.
 [[nodiscard]] Numbers numbers_of(const py::object& object, const char* name);
 
-/// An array of points, (n, d), as the library takes them, for as long as this lives. Its memory is NumPy's where that
-/// can be.
+/// An array of points, (n, d), in the form that the library takes, valid as long as this object exists. It uses NumPy's
+/// memory if possible.
 template <int d>
 class Points_in {
   public:
@@ -59,26 +59,26 @@ class Points_in {
     Numbers numbers_;
 };
 
-/// Vertex indices, (k,) or one number. Throws TypeError for what are no whole numbers (masks are none),
-/// Error(wrong_size) for another shape, Error(unknown_vertex) for those that no vertex can have.
+/// Vertex indices, (k,) or one number. Throws TypeError for anything but integers (also for masks), Error(wrong_size)
+/// for another shape, Error(unknown_vertex) for numbers that cannot be a vertex index.
 [[nodiscard]] std::vector<Index> indices_of(const py::object& object);
 
-/// Rows of three indices of so many points. Throws TypeError, Error(wrong_size), Error(unknown_vertex).
+/// Rows of three indices below `points`. Throws TypeError, Error(wrong_size), Error(unknown_vertex).
 [[nodiscard]] std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::size_t points);
 
-/// A read-only array over memory that `owner` keeps alive, and that nobody changes.
+/// A read-only array over memory that `owner` keeps alive and that must not change.
 template <class T, class Owner>
 [[nodiscard]] py::array view(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<const Owner> owner) {
     auto held = std::make_unique<std::shared_ptr<const Owner>>(std::move(owner));
     const py::capsule base(held.get(), [](void* p) { delete static_cast<std::shared_ptr<const Owner>*>(p); });
-    (void)held.release();      // the capsule's
+    (void)held.release();      // the capsule owns it
     static const T nothing{};  // NumPy would allocate for a null pointer
     py::array a(py::dtype::of<T>(), std::move(shape), data != nullptr ? data : &nothing, base);
     py::detail::array_proxy(a.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
     return a;
 }
 
-/// The array that a vector becomes, without a copy. Nobody else has it, so it may be written in.
+/// Turns a vector into an array, without a copy. The array is the only owner, so it is writable.
 template <class T>
 [[nodiscard]] py::array give(std::vector<T> values, std::vector<py::ssize_t> shape) {
     auto owner = std::make_shared<const std::vector<T>>(std::move(values));
@@ -102,7 +102,7 @@ template <class T, std::size_t k>
     py::detail::array_proxy(a.ptr())->flags |= py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
     return a;
 }
-/// The same for whoever keeps them: read-only.
+/// A read-only array of rows that `owner` keeps.
 template <class T, std::size_t k, class Owner>
 [[nodiscard]] py::array view_rows(const std::vector<std::array<T, k>>& rows, std::shared_ptr<const Owner> owner) {
     const T* data = rows.empty() ? nullptr : rows.front().data();

@@ -39,7 +39,7 @@ std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull_of(const Cells<
 template <int d>
 Adjacency adjacency_of(const Cells<d>& cells) {
     const std::size_t n = cells.simplex_of.size();
-    // Every ordered pair of corners of every simplex, put with its first corner.
+    // Calls `call` for every ordered pair of corners of every simplex.
     const auto for_each_pair = [&](auto&& call) {
         const auto pairs_of = [&](const Index* v, std::size_t corners) {
             for (std::size_t i = 0; i < corners; ++i)

@@ -8,33 +8,33 @@
 
 namespace annulus::python {
 
-/// The simplices of a mesh at one moment; never changed, so that arrays may look into it as long as they like.
+/// A snapshot of the simplices of a mesh. It never changes, so that arrays may refer to it as long as they exist.
 template <int d>
 struct Cells {
     /// `is_vertex` has a flag for each index.
     Cells(const Moving_mesh<d>& mesh);
 
-    int dimension;                  ///< that the points span; -1 without points
-    Mesh_cells<d> simplices;        ///< none unless the points span the space
-    std::vector<Index> flat;        ///< dimension + 1 vertices a simplex of points that do not
-    std::vector<Index> simplex_of;  ///< by vertex index, one of those around it; -1 without one
+    int dimension;                  ///< affine dimension of the points; -1 without points
+    Mesh_cells<d> simplices;        ///< empty unless the points span d dimensions
+    std::vector<Index> flat;        ///< simplices of flat points, dimension + 1 vertices each
+    std::vector<Index> simplex_of;  ///< by vertex index: one simplex of its star; -1 without one
 };
 
-/// The facets with nothing beyond, d vertices each: in 2D with the triangulation to their left, in 3D
-/// counter-clockwise as seen from outside.
+/// The facets of the convex hull, d vertices each: in 2D with the triangulation to their left, in 3D counter-clockwise
+/// seen from outside.
 template <int d>
 [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull_of(const Cells<d>& cells);
 
-/// Who is joined to whom by an edge: the neighbours of vertex v are index[begin[v]] to index[begin[v + 1] - 1], in
-/// ascending order.
+/// The vertices that each vertex is joined to by an edge: the neighbours of vertex v are index[begin[v]] to
+/// index[begin[v + 1] - 1], in ascending order.
 struct Adjacency {
     std::vector<Index> begin, index;
 };
 template <int d>
 [[nodiscard]] Adjacency adjacency_of(const Cells<d>& cells);
 
-/// The simplex that holds each of some points, itself or its border; -1 outside the convex hull, and for NaN. Exact:
-/// decided by signs of determinants as the library computes them.
+/// For each point a simplex that contains it, inside or on its boundary; -1 outside the convex hull, and for NaN.
+/// Exact: decided by the signs of determinants that the library computes.
 template <int d>
 void find_simplices(const Cells<d>& cells, std::span<const Coordinates<d>> vertices,
                     std::span<const Coordinates<d>> points, std::span<Index> out);

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// Each place once, by its first point.
+/// The points without duplicate points: the first point at each position.
 template <int d>
 std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
     std::vector<Coordinates<d>> out;
@@ -62,7 +62,7 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     r.simplices = corners.size() / (d + 1);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
-        // With one thread it is this one that is told.
+        // With one thread, the callback runs in this thread.
         options.raw = [told = 0U](const Raw_certificate<d>&) mutable {
             if (++told % 16384 == 0) look_for_signals();
         };

@@ -29,7 +29,8 @@ std::string_view name_of(Error_code code) {
 
 namespace {
 
-/// The class is written in Python, where it is easier to read; it is there before anything of this module is called.
+/// Raises annulus.Error. The class is written in Python, where it is easier to read; the package imports it before
+/// anything of this module is called.
 void raise(const Error& e) {
     try {
         const py::object type = py::module_::import("annulus._error").attr("Error");

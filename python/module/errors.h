@@ -9,14 +9,14 @@
 
 namespace annulus::python {
 
-/// What `Error.code` is in Python: the name in error.h.
+/// The value of `Error.code` in Python: the name in error.h.
 [[nodiscard]] std::string_view name_of(Error_code code);
 
-/// From now on an annulus::Error that leaves the module is an annulus.Error; bad_alloc is a MemoryError by itself.
+/// Registers the translation of annulus::Error to annulus.Error. (pybind11 translates bad_alloc to MemoryError.)
 void translate_errors();
 
-/// For long work, between two parts of it, without the GIL: what a signal's handler throws, KeyboardInterrupt above
-/// all, is thrown here.
+/// Runs pending signal handlers, and throws what they throw, such as KeyboardInterrupt. For long computations, between
+/// two parts. Precondition: this thread does not hold the GIL.
 void look_for_signals();
 
 }  // namespace annulus::python

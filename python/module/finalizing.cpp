@@ -11,10 +11,10 @@ namespace annulus::python {
 
 namespace {
 
-std::atomic<int> computing = 0;         // threads that do without the GIL
-std::atomic<bool> over = false;         // there is no Python any more
-thread_local int computing_here = 0;    // 1 in a thread that is among them
-thread_local bool ends_python = false;  // in the thread that ends it
+std::atomic<int> computing = 0;         // number of threads that compute without the GIL
+std::atomic<bool> over = false;         // the interpreter has ended
+thread_local int computing_here = 0;    // 1 if this thread is one of them
+thread_local bool ends_python = false;  // true in the thread that ends the interpreter
 
 bool finalizing() noexcept {
 #if PY_VERSION_HEX >= 0x030D0000
@@ -34,13 +34,13 @@ void leave() noexcept {
     computing.notify_all();
 }
 
-/// At the very end of Python, in the thread that ends it.
+/// Called at the very end of the interpreter, in the thread that ends it.
 void wait_for_others() {
     over = true;
     for (int n = computing; n > computing_here; n = computing) computing.wait(n);
 }
 
-// Of the threads that compute a child of a fork has the one that forked, at most.
+// A child of a fork has only the thread that forked, so at most one thread that computes.
 [[maybe_unused]] const int children_count_anew = pthread_atfork(nullptr, nullptr, [] { computing = computing_here; });
 
 }  // namespace
@@ -52,7 +52,7 @@ void sleep_for_good() noexcept {
 bool python_ends_elsewhere() noexcept { return !ends_python && (over || finalizing()); }
 
 Without_gil::Without_gil() {
-    if (finalizing()) ends_python = true;  // or it would not have the GIL
+    if (finalizing()) ends_python = true;  // no other thread can have the GIL now
     enter();
     state_ = PyEval_SaveThread();
 }
@@ -80,10 +80,11 @@ With_gil::~With_gil() {
 void wait_at_the_end() {
     static bool waits = false;
     if (over.exchange(false))
-        waits = false;  // a program has begun Python again, which has forgotten what was to be called
+        waits = false;  // the program has started a new interpreter, which has dropped the registered function
     if (waits) return;
     waits = true;
-    // Where Python has no room for one more, at the end of the process: before all is destroyed that was there before.
+    // If Python cannot register another function, register it for the end of the process: it then runs before the
+    // destructors of the static objects that exist now.
     if (Py_AtExit(&wait_for_others) != 0) (void)std::atexit(&wait_for_others);
 }
 

@@ -5,16 +5,16 @@
 
 #include <cxxabi.h>
 
-// Threads and the end of the interpreter. Once Python ends it gives the GIL to no other thread: a daemon thread that
-// asks for it is ended where it stands (pthread_exit, which unwinds its stack) or, from Python 3.14 on, sleeps for
-// ever. A stack of C++ must not be unwound so, since destructors do not throw: such a thread sleeps here, too. And
-// before the process goes, which destroys what is static, the end waits for threads that compute.
+// Threads and the end of the interpreter. While Python ends it gives the GIL to no other thread: a daemon thread that
+// requests it is terminated at that point (pthread_exit, which unwinds its stack) or, from Python 3.14 on, sleeps for
+// ever. A C++ stack must not be unwound this way, because destructors do not throw: here such a thread sleeps as well.
+// And before the process ends, which destroys static objects, the end of Python waits for threads that compute.
 namespace annulus::python {
 
 /// Sleeps until the process ends.
 [[noreturn]] void sleep_for_good() noexcept;
 
-/// Makes a call that may wait for the GIL; what it holds must not need destruction.
+/// Makes a call that may wait for the GIL. The call must not hold objects that have to be destroyed.
 template <class Call>
 auto may_wait_for_gil(const Call& call) -> decltype(call()) {
 #ifdef __GLIBCXX__
@@ -28,7 +28,7 @@ auto may_wait_for_gil(const Call& call) -> decltype(call()) {
 #endif
 }
 
-/// No GIL for as long as this lives. Constructed with the GIL.
+/// Releases the GIL as long as this object exists. Precondition of the constructor: this thread holds the GIL.
 class Without_gil {
   public:
     Without_gil();
@@ -40,8 +40,8 @@ class Without_gil {
     PyThreadState* state_;
 };
 
-/// The GIL for as long as this lives, between two parts of a computation that does without. What computes holds no
-/// lock then that the end of Python may need.
+/// Holds the GIL as long as this object exists, between two parts of a computation without the GIL. Precondition: the
+/// computation holds no lock that the end of Python may need.
 class With_gil {
   public:
     With_gil();
@@ -53,11 +53,10 @@ class With_gil {
     PyGILState_STATE state_;
 };
 
-/// Whether Python is ending, or has ended, in another thread than this: then none of what is computed here can be
-/// handed over.
+/// Whether another thread is ending Python or has ended it: then no result of this thread can be returned to Python.
 [[nodiscard]] bool python_ends_elsewhere() noexcept;
 
-/// When the module is made: from now on the end of Python waits for threads that compute.
+/// Called when the module is created: from now on the end of Python waits for threads that compute.
 void wait_at_the_end();
 
 }  // namespace annulus::python

@@ -12,9 +12,9 @@ namespace annulus::python {
 
 namespace {
 
-/// Walks from simplex to simplex towards a point: first jumps to the nearest of a few vertices, then crosses facets
-/// that the point is beyond. With exact signs such a walk through a Delaunay triangulation comes to an end; which
-/// facet is looked at first is drawn, by the same numbers every time.
+/// Walks from simplex to simplex towards a point: starts at the nearest of a few vertices, then crosses facets that
+/// have the point on their other side. With exact signs such a walk through a Delaunay triangulation terminates. The
+/// facet that is tested first is chosen by a pseudo-random sequence that is always the same.
 template <int d>
 class Walk {
   public:
@@ -43,16 +43,16 @@ class Walk {
   private:
     static constexpr Index here = -2;
 
-    /// One after another: tolerances that are not certified may leave what is no triangulation, and walks that go
-    /// round in it.
+    /// Tests all simplices one after another: tolerances that are not certified may leave cells that are no
+    /// triangulation, where a walk can cycle.
     [[nodiscard]] Index search(const Coordinates<d>& p) {
         for (std::size_t s = 0; s < cells_.simplices.vertices.size(); ++s)
             if (beyond(static_cast<Index>(s), here, p) == here) return static_cast<Index>(s);
         return -1;
     }
 
-    /// The simplex that the point is seen in across a facet of s, but not back to where the walk came from; `here`
-    /// when there is none.
+    /// The simplex beyond a facet of s that separates s from the point, but never the one that the walk came from;
+    /// `here` if there is none.
     [[nodiscard]] Index beyond(Index s, Index from, const Coordinates<d>& p) {
         const auto& v = cells_.simplices.vertices[at(s)];
         Tuple<d, d + 1> x{};

@@ -12,7 +12,7 @@
 
 namespace annulus::python {
 
-/// What every run of a motion hands back of its steps.
+/// What a run of a motion returns about its steps.
 struct History {
     std::vector<double> mean, max;  ///< displacements, by step
     Move_report total;
@@ -24,7 +24,8 @@ struct History {
     }
 };
 
-/// Between two steps, without the GIL: signals, and what the caller wants to know. False when it has seen enough.
+/// Called between two steps, without the GIL: handles signals and runs the caller's callback. False if the callback
+/// ends the iterations.
 inline bool goes_on(const py::object& callback, const History& history) {
     look_for_signals();
     if (callback.is_none()) return true;

@@ -6,7 +6,7 @@
 
 namespace annulus::python {
 
-/// The same in Python's own types; numbers that JSON cannot hold stay what they are.
+/// The same content in Python's built-in types; numbers that JSON text cannot represent stay what they are.
 [[nodiscard]] pybind11::object object_of(const nlohmann::ordered_json& json);
 
 }  // namespace annulus::python

@@ -19,7 +19,7 @@ namespace annulus::python {
 
 namespace {
 
-/// The domain by its name, or by its corners either way round; nothing for None.
+/// The domain from its name, or from its corners, clockwise or counter-clockwise; nothing for None.
 std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
     if (domain.is_none()) return {};
     if (py::isinstance<py::str>(domain)) {
@@ -52,11 +52,11 @@ void read_stars(const Moving_mesh_2& dt, Stars_2& stars) {
     stars.read(lists);
 }
 
-/// Without the GIL. `points` goes from where the vertices begin to where they end.
+/// Runs the iterations. `points` are the initial positions and become the final ones. Precondition: no GIL.
 void iterate(const Domain_2& domain, Density density, std::int64_t iterations, const Options& options,
              const py::object& callback, std::vector<Coordinates<2>>& points, History& history) {
     Moving_mesh_2 dt{std::span<const Coordinates<2>>(points), options};
-    points.assign(dt.points().begin(), dt.points().end());  // fewer where some were merged
+    points.assign(dt.points().begin(), dt.points().end());  // fewer if duplicate points were merged
     const Lloyd_2 lloyd(domain, density, options.threads);
     Stars_2 stars;
     Lloyd_memory memory;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh: made, and what changes it. What is read off it is in mesh_queries.cpp.
+// Mesh: construction and changes. Its queries are in mesh_queries.cpp.
 #include <module/mesh.h>
 
 #include <module/mesh_locked.h>
@@ -49,7 +49,7 @@ Moving_mesh<d> mesh_with(std::span<const Coordinates<d>> points, const std::vect
     return Moving_mesh<d>(std::span<const Coordinates<d>>(x), options);
 }
 
-/// Of points to be inserted two are equal: says which. They are no vertices.
+/// Throws an error that names two equal points of those to be inserted, which are not vertices.
 template <int d>
 [[noreturn]] void throw_equal(std::span<const Coordinates<d>> points) {
     const auto pair = coinciding<d>(points, [](Index) { return true; });
@@ -70,8 +70,8 @@ Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const
     remove(free_indices);
 }
 
-/// Makes a call that may change something. Whatever it throws, positions are as they were, but other cells may be as
-/// right.
+/// Makes a call that may change the mesh. If it throws, positions are as they were, but the cells may be different
+/// ones that are right, too.
 template <int d>
 template <class Call>
 Move_report Mesh<d>::changing(Call call) {
@@ -110,16 +110,16 @@ template <int d>
 Move_report Mesh<d>::recompute_tolerances() {
     return changing([&](Move_report& report) {
         report = mesh_.recompute_tolerances();
-        cells_.reset();  // of tolerances that are not certified others may come
+        cells_.reset();  // with tolerances that are not certified, cells may change
         adjacency_.reset();
     });
 }
 
-/// Throws unless the points are in the domain, and no two of them, nor one of them and a vertex, at one place. O(n).
+/// Throws unless the points are in the domain, are distinct, and none of them has the position of a vertex. O(n).
 template <int d>
 void Mesh<d>::require_free(std::span<const Point> points) const {
     for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "point", static_cast<std::int64_t>(k));
-    if (points.size() < 2) return;  // the mesh finds out itself, at less
+    if (points.size() < 2) return;  // the mesh checks a single point itself, at lower cost
     const Point_set<d> fresh(points);
     if (fresh.size() < points.size()) throw_equal<d>(points);
     const auto x = mesh_.points();

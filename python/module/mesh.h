@@ -3,7 +3,7 @@
 
 #include <module/arrays.h>
 #include <module/cells.h>
-#include <module/turn.h>
+#include <module/process_mutex.h>
 
 #include <annulus/moving_mesh.h>
 
@@ -16,48 +16,47 @@
 
 namespace annulus::python {
 
-/// A Moving_mesh that threads of Python may share: who computes holds its lock, and not the GIL. What arrays look
-/// into are copies of positions and cells, made when they are asked for and again only after they have changed.
+/// A Moving_mesh that threads of Python may share: a thread that computes holds its lock, and not the GIL. Arrays refer
+/// to copies of positions and cells, which are made on access, and again only after positions or cells have changed.
 ///
-/// Every member that takes or makes Python's objects is called with the GIL; while the lock is held nobody waits for
-/// it.
+/// Members that take or create Python objects are called with the GIL. No thread waits for the GIL while it holds the
+/// lock.
 template <int d>
 class Mesh {
   public:
     using Point = Coordinates<d>;
 
     Mesh(const Points_in<d>& points, const Options& options);
-    /// As it was pickled: `points` has rows for free indices too, `free_indices` says which these are, the one that was
+    /// From a pickled state: `points` also has rows for free indices; `free_indices` lists these, the one that was
     /// freed last at the end.
     Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const Options& options);
 
     Move_report move(const Points_in<d>& points);
     Move_report move(const std::vector<Index>& indices, const Points_in<d>& points);
-    /// All of them or none; memory that runs out on the way may leave more free indices.
+    /// Inserts all points or none; if memory runs out half way, there may be more free indices than before.
     std::vector<Index> insert(const Points_in<d>& points);
-    /// All of them or, unless memory runs out on the way, none.
+    /// Removes all vertices or none, unless memory runs out half way.
     void remove(const std::vector<Index>& indices);
     Move_report recompute_tolerances();
 
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
-    /// What it can be made again from, all of one moment: `points` as above, and which indices are free, the last
-    /// one at the end.
+    /// The state for pickling, as one snapshot: `points` as above, and the free indices, the one freed last at the end.
     [[nodiscard]] std::pair<py::array, std::vector<Index>> state();
     [[nodiscard]] std::vector<Index> vertex_of_input() const;
     [[nodiscard]] std::shared_ptr<const Cells<d>> cells();
     [[nodiscard]] std::shared_ptr<const Adjacency> adjacency();
     [[nodiscard]] std::vector<Index> find(const Points_in<d>& points);
 
-    // By vertex index, NaN at free ones.
+    // By vertex index, NaN at free indices.
     [[nodiscard]] std::vector<double> tolerances() const;
     [[nodiscard]] std::vector<double> thetas() const;
     [[nodiscard]] std::vector<double> displacements() const;
     [[nodiscard]] std::vector<double> voronoi_volumes();
 
-    /// Of one moment; others may move it on while it is looked at. Looks for signals.
+    /// Audits a snapshot; other threads may move vertices during the audit. Handles signals.
     [[nodiscard]] Audit_result audit() const;
-    /// How many vertices, and the strategy in force, both of one moment.
+    /// The number of vertices and the strategy in use, at the same moment.
     [[nodiscard]] std::pair<std::size_t, Strategy> summary() const;
     [[nodiscard]] std::size_t vertices() const;
     [[nodiscard]] std::size_t index_bound() const;
@@ -72,7 +71,7 @@ class Mesh {
     Move_report changing(Call call);
     template <class Value>
     [[nodiscard]] std::vector<double> by_vertex(Value value) const;
-    /// The lock is held.
+    /// Precondition of these two: this thread holds the lock.
     [[nodiscard]] std::shared_ptr<const Cells<d>> kept_cells();
     [[nodiscard]] std::shared_ptr<const std::vector<Point>> kept_points();
     void remove_one(Index i);
@@ -82,7 +81,7 @@ class Mesh {
     mutable Process_mutex lock_;
     Moving_mesh<d> mesh_;
     std::vector<Index> free_indices_;
-    std::shared_ptr<const std::vector<Point>> points_;  // null once they have changed; so are the others
+    std::shared_ptr<const std::vector<Point>> points_;  // null after a change, as the next two
     std::shared_ptr<const Cells<d>> cells_;
     std::shared_ptr<const Adjacency> adjacency_;
 };

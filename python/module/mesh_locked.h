@@ -6,8 +6,8 @@
 
 namespace annulus::python {
 
-/// Makes a call with the lock and without the GIL. Taken in that order, so that who waits for the lock keeps nobody
-/// from Python.
+/// Makes a call with the lock and without the GIL. The GIL is released first, so that a thread that waits for the lock
+/// does not keep other threads from running Python.
 template <int d>
 template <class Call>
 auto Mesh<d>::locked(Call call) const {

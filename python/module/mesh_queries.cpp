@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh: what is read off it.
+// Mesh: queries.
 #include <module/mesh.h>
 
 #include <module/errors.h>
@@ -119,7 +119,7 @@ Audit_result Mesh<d>::audit() const {
         const std::lock_guard hold(lock_);
         input = mesh_.audit_input();
     }
-    // Without the lock: a handler of signals may ask this mesh.
+    // Without the lock, because a signal handler may call this mesh.
     input.between = [calls = 0U]() mutable {
         if (++calls % 16 == 0) look_for_signals();
     };
@@ -146,7 +146,7 @@ Strategy Mesh<d>::strategy() const {
     return locked([this] { return mesh_.strategy(); });
 }
 
-#define ANNULUS_READINGS(d)                                                          \
+#define ANNULUS_INSTANTIATE(d)                                                       \
     template py::array Mesh<d>::points();                                            \
     template auto Mesh<d>::kept_points()->std::shared_ptr<const std::vector<Point>>; \
     template std::pair<py::array, std::vector<Index>> Mesh<d>::state();              \
@@ -166,8 +166,8 @@ Strategy Mesh<d>::strategy() const {
     template std::size_t Mesh<d>::index_bound() const;                               \
     template int Mesh<d>::dimension() const;                                         \
     template Strategy Mesh<d>::strategy() const;
-ANNULUS_READINGS(2)
-ANNULUS_READINGS(3)
-#undef ANNULUS_READINGS
+ANNULUS_INSTANTIATE(2)
+ANNULUS_INSTANTIATE(3)
+#undef ANNULUS_INSTANTIATE
 
 }  // namespace annulus::python

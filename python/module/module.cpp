@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// annulus._core: what of the Python package is compiled. The package says what things are for.
+// annulus._core: the compiled part of the Python package. The package documents it.
 #include <module/errors.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
 
-// What pybind11 defines is called by what is asked for, below: in a subinterpreter pybind11 waits for ever, before
-// anything of ours is called.
+// The init function that pybind11 defines is renamed and called from the real one below: in a subinterpreter pybind11
+// would wait for ever before it calls any code of this module.
 namespace {
 bool in_main_interpreter() { return PyInterpreterState_Get() == PyInterpreterState_Main(); }
 }  // namespace

@@ -19,7 +19,7 @@ namespace annulus::python {
 
 namespace {
 
-/// A closed surface: points, and triangles that turn left seen from outside, or all of them right.
+/// A closed surface from points and triangles, which are all counter-clockwise seen from outside, or all clockwise.
 Triangle_surface surface_from(const py::sequence& pair) {
     if (pair.size() != 2) throw Error(Error_code::wrong_size, "surface must be a pair, points and triangles");
     const Points_in<3> points(pair[0], "surface: points");
@@ -27,11 +27,11 @@ Triangle_surface surface_from(const py::sequence& pair) {
     s.points.assign(points.span().begin(), points.span().end());
     s.triangles = triangles_of(pair[1], s.points.size());
     if (!s.points.empty() && enclosed_volume(s) < 0)
-        for (auto& t : s.triangles) std::swap(t[0], t[2]);  // as they are read backwards
+        for (auto& t : s.triangles) std::swap(t[0], t[2]);  // reverses the orientation
     return s;
 }
 
-/// The unit ball for None, a file for bytes, or a pair of arrays.
+/// The domain inside a surface: the unit ball for None, the name of a file for bytes, or a pair of arrays.
 std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_crossing) {
     if (surface.is_none()) return std::make_unique<Ball_3>(1);
     Triangle_surface s;
@@ -46,7 +46,7 @@ std::unique_ptr<const Domain_3> domain_of(const py::object& surface, bool allow_
     }
 }
 
-/// The cells of the triangulation, and which of them are of the domain.
+/// Reads the cells of the triangulation and finds those of the domain.
 void read_cells(const Moving_mesh_3& dt, bool changed, const Domain_3& domain, int threads, Kept_cells_3& kept) {
     if (changed && dt.mesh().dimension() == 3) kept.read(dt.mesh().table(), threads);
     else if (changed) kept.read(std::vector<std::array<Index, 4>>(), dt.points().size(), threads);
@@ -59,14 +59,14 @@ struct Mesh_of_domain {
     std::vector<char> on_surface;
 };
 
-/// Without the GIL.
+/// Runs the iterations. Precondition: no GIL.
 Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double gradation, std::optional<double> lock,
                        std::int64_t iterations, const Options& options, std::uint64_t seed, const py::object& callback,
                        History& history) {
     const Sizing_3 sizing(domain, gradation);
     Mesh_of_domain out;
     {
-        static std::mutex one_at_a_time;  // Mesh_3 draws from numbers that all share
+        static std::mutex one_at_a_time;  // Mesh_3 uses a global random number generator
         const std::lock_guard hold(one_at_a_time);
         out.points = initial_mesh(domain, sizing, vertices, seed);
     }

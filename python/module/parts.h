@@ -7,7 +7,7 @@
 
 #include <string>
 
-// What the module is put together from: a file each.
+// The parts of the module, one file each.
 namespace annulus::python {
 
 namespace py = pybind11;
@@ -19,8 +19,8 @@ void add_counterexample(py::module_& m);
 void add_lloyd(py::module_& m);
 void add_nodt(py::module_& m);
 
-/// Of classes whose objects come from C++ alone: pybind11 would hand out one that `__new__` made as if it had been
-/// initialised.
+/// For classes whose objects are created only in C++: pybind11 would treat an object made by `__new__` as if it had
+/// been initialised.
 [[nodiscard]] inline py::custom_type_setup not_by_new() {
     return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
 #ifdef Py_TPFLAGS_DISALLOW_INSTANTIATION
@@ -31,8 +31,8 @@ void add_nodt(py::module_& m);
     });
 }
 
-/// Options from their names. Throws Error(usage) for a name that there is not, with those that there are, and for no
-/// thread.
+/// Options from their names. Throws Error(usage) for an unknown name, with a list of the known ones, and if `threads`
+/// is less than 1.
 [[nodiscard]] Options options_of(const std::string& strategy, const std::string& tolerance, int threads,
                                  bool merge_duplicates, bool report_changes, std::uint64_t seed);
 

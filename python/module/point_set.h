@@ -11,7 +11,7 @@
 
 namespace annulus::python {
 
-/// Places, to ask whether one is among them. -0 and 0 are one place.
+/// A set of positions. -0 and 0 are equal.
 template <int d>
 class Point_set {
   public:
@@ -19,7 +19,7 @@ class Point_set {
         places_.reserve(points.size());
         for (const auto& p : points) places_.insert(p);
     }
-    /// False where it was one already.
+    /// False if the position was in the set already.
     bool add(const Coordinates<d>& p) { return places_.insert(p).second; }
     [[nodiscard]] std::size_t size() const { return places_.size(); }
     [[nodiscard]] bool has(const Coordinates<d>& p) const { return places_.contains(p); }

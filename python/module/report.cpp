@@ -15,33 +15,33 @@ struct Field {
     std::uint64_t& (*of)(Move_report&);
 };
 
-/// In the order of engine/move_report.h. What has a name here is an attribute, a key, and pickled.
+/// In the order of engine/move_report.h. Every name here is an attribute, a key of as_dict, and pickled.
 constexpr Field fields[] = {
-    {"asked", "int: vertices that were to move; the next five add up to it.",
+    {"asked", "int: vertices that the call was to move; the next five add up to it.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},
     {"within_tolerance", "int: vertices proved by their tolerance alone, or at rest: nothing was evaluated.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
-    {"kept_in_place", "int: vertices whose certificates were evaluated, and hold.",
+    {"kept_in_place", "int: vertices whose certificates were evaluated and hold.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
-    {"flipped", "int: vertices at which flips repaired what was violated.",
+    {"flipped", "int: vertices with a violated certificate that flips repaired.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
-    {"reinserted", "int: vertices that were taken out and put back in.",
+    {"reinserted", "int: vertices that were removed and inserted again.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},
-    {"rebuilt", "int: vertices of a triangulation that was built anew.",
+    {"rebuilt", "int: vertices of a triangulation that was rebuilt.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.rebuilt; }},
-    {"filter", "int: certificates decided in doubles, with a proved error bound.",
+    {"filter", "int: certificates decided by the filter, in doubles with a proved error bound.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.filter; }},
     {"interval", "int: certificates decided in interval arithmetic.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
     {"exact", "int: certificates decided in integers.",
      [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
     {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
-    {"star_walks", "int: vertices all of whose certificates had to be looked at.",
+    {"star_walks", "int: vertices all of whose certificates had to be checked.",
      [](Move_report& r) -> std::uint64_t& { return r.star_walks; }},
-    {"requeued", "int: vertices whose reference another vertex renewed (tolerances-each).",
+    {"requeued", "int: vertices queued because another vertex lowered their tolerance (paper).",
      [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
-    {"flips", "int: flips that stand.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
-    {"undone_flips", "int: flips taken back because they led nowhere.",
+    {"flips", "int: flips that were kept.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
+    {"undone_flips", "int: flips undone because they led nowhere.",
      [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
     {"tolerance_steps", "int: time steps that began with the tolerances.",
      [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
@@ -57,7 +57,7 @@ std::uint64_t value(const Field& field, const Move_report& report) {
     return field.of(const_cast<Move_report&>(report));
 }
 
-/// Cells at infinity, and those of flat sets, are no simplices.
+/// Keeps the simplices only: infinite cells and the cells of flat sets are none.
 void keep_simplices(std::vector<Index>& cells, int d) {
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
     auto kept = cells.begin();
@@ -133,28 +133,28 @@ void add_report(py::module_& m) {
     py::class_<Report> report(m, "MoveReport", not_by_new(),
                               R"(What a call of `MovingDelaunay.move` or `recompute_tolerances` did.
 
-Counts, and the simplices that came and went. `repr` shows the counts that are not 0, `as_dict` has all of them.)");
+Counts, and the simplices that were created and removed. `repr` shows the counts that are not 0, `as_dict` has all.)");
     for (const Field& f : fields)
         report.def_property_readonly(
             f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
     report
         .def_property_readonly(
             "cost", [](const Report& r) { return r.numbers().cost; },
-            "float: what it cost, in simplices looked at, by prices that were measured.")
+            "float: cost of the call, in simplices tested, from measured costs of the operations.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,
-            R"(ndarray of int32, shape (m, d + 1): simplices that there were not before, as rows of vertex )"
+            R"(ndarray of int32, shape (m, d + 1): simplices that did not exist before the call, as rows of vertex )"
             R"(indices, positively oriented; read-only.
 
-None with ``report_changes=False``. Points that span no space have no simplices.)")
+None with ``report_changes=False``. Points that do not span d dimensions have no simplices.)")
         .def_property_readonly(
             "removed_simplices", &Report::removed_simplices,
-            "ndarray of int32, shape (m, d + 1): simplices that there are no longer, likewise. None is in "
-            "`changed_simplices` too, but for one that was turned over: its vertices are in both, in another order.")
+            "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. None is also in "
+            "`changed_simplices`, except one that was turned over: its vertices are in both, in another order.")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def("__reduce__", [](const Report& r) {
-            // A function of Python's, which has a name to be found by.
+            // A function written in Python, because pickle finds functions by name.
             return py::make_tuple(py::module_::import("annulus._queries").attr("report_of"), py::make_tuple(r.state()));
         });
     m.def("report_of", &Report::of_state);

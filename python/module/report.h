@@ -11,13 +11,13 @@
 
 namespace annulus::python {
 
-/// A Move_report, and the dimension in which it was.
+/// A Move_report, and the dimension of its mesh.
 class Report {
   public:
     Report(Move_report report, int d, bool lists_changes);
 
     [[nodiscard]] const Move_report& numbers() const { return *report_; }
-    /// Simplices that came, and that went, (m, d + 1); None where nobody asked for them.
+    /// Simplices that were created, and that were removed, (m, d + 1); None without report_changes.
     [[nodiscard]] py::object changed_simplices() const { return simplices(report_->changed); }
     [[nodiscard]] py::object removed_simplices() const { return simplices(report_->gone); }
     [[nodiscard]] py::dict as_dict() const;
@@ -28,7 +28,7 @@ class Report {
   private:
     [[nodiscard]] py::object simplices(const std::vector<Index>& vertices) const;
 
-    std::shared_ptr<const Move_report> report_;  // without simplices that are not finite
+    std::shared_ptr<const Move_report> report_;  // lists finite simplices only
     int d_;
     bool lists_changes_;
 };

@@ -126,8 +126,8 @@ def test_every_wrong_value_gets_a_sentence(case, parameter):
     ("MovingDelaunay", {"threads": -3}, "threads must be 1 or more, not -3 (int)"),
     ("MovingDelaunay", {"threads": 2**31}, "threads must be at most 2147483647, not 2147483648 (int)"),
     ("MovingDelaunay", {"strategy": None},
-     "strategy must be a str, one of auto, tolerances, tolerances-each, in-place, rebuild, relocate, relocate-flips, paper or "
-     "paper-hybrid; not None"),
+     "strategy must be a str, one of auto, tolerances, tolerances-each, in-place, rebuild, relocate, relocate-flips, "
+     "paper or paper-hybrid; not None"),
     ("MovingDelaunay", {"strategy": "best"},
      "strategy must be one of auto, tolerances, tolerances-each, in-place, rebuild, relocate, relocate-flips, paper or "
      "paper-hybrid; not 'best'"),

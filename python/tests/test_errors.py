@@ -90,7 +90,8 @@ def test_errors_name_the_vertices_concerned(d, strategy):
             (lambda: dt.insert(bad(x, 5, 1e200)), "out_of_domain", (5,), "point 5 is larger"),
             (lambda: dt.move(x[[1]], [40]), "unknown_vertex", (40,), "no vertex has index 40"),
             (lambda: dt.remove([40]), "unknown_vertex", (40,), "no vertex has index 40"),
-            (lambda: annulus.degeneracy(at(x, 9, 4)), "duplicate_point", (4, 9), "points 4 and 9 have the same position")]:
+            (lambda: annulus.degeneracy(at(x, 9, 4)), "duplicate_point", (4, 9),
+             "points 4 and 9 have the same position")]:
         with pytest.raises(annulus.Error) as e:
             call()
         assert (e.value.code, e.value.vertices) == (expected, vertices), str(e.value)

@@ -82,7 +82,8 @@ def test_a_state_is_of_one_moment():
     dt = annulus.MovingDelaunay(points_of("uniform", 30, 2, 0))
     dt.remove([4, 2])
     state = dt.__getstate__()
-    assert np.flatnonzero(np.isnan(state["points"][:, 0])).tolist() == [2, 4] and state["free_indices"].tolist() == [4, 2]
+    assert (np.flatnonzero(np.isnan(state["points"][:, 0])).tolist() == [2, 4]
+            and state["free_indices"].tolist() == [4, 2])
     for call in (lambda: dt.__getstate__(), lambda: repr(dt), lambda: dt.audit(), lambda: dt.voronoi_volumes(),
                  lambda: dt.vertex_neighbor_vertices, lambda: dt.convex_hull, lambda: dt.find_simplex([[0.5, 0.5]]),
                  lambda: dt.nsimplex, lambda: dt.tolerances, lambda: dt.is_vertex):
@@ -149,7 +150,7 @@ def test_subclasses(copied):
     dt.move(dt.points + 1)
     other = copied(dt)
     same(dt, other)
-    assert other.name == "it'" and repr(other).startswith("<Named: 20 vertices in the plane")
+    assert other.name == "it'" and repr(other).startswith("<Named: 20 vertices in 2D")
     other.anything = 3
 
 

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// annulus for C, and for whatever calls C: Fortran, Julia, Rust. A Delaunay 2D triangulation or of space
-// that is kept right while its vertices move: Moving_mesh of the C++ library behind a handle, arrays in and arrays
-// out. docs/c.md is the guide.
+// The C interface of annulus, also for languages that call C: Fortran, Julia, Rust. A Delaunay triangulation in 2D or
+// 3D that is kept right while its vertices move: the C++ class Moving_mesh behind an opaque handle, with plain arrays
+// in and out. docs/c.md is the guide.
 //
-// Arrays belong to the caller. Coordinates are interleaved doubles, 2 or 3 a point, in the caller's unit of length;
-// indices are int32_t; counts are of points, vertices or cells, never of numbers. A pointer that is NULL is refused,
-// unless it is said to be optional or the count of what it points to is 0. Buffers that are too small are refused,
-// with the count that is needed; nothing is written then.
+// Arrays belong to the caller. Coordinates are interleaved doubles, 2 or 3 per point, in the caller's unit of length.
+// Indices are int32_t. Counts are of points, vertices or cells, never of single numbers. A NULL pointer is refused,
+// unless it is documented as optional or the count of what it points to is 0. A buffer that is too small is refused:
+// the call reports the count that is needed and writes nothing.
 //
-// Every function that can fail returns ANNULUS_OK or another annulus_status, and what went wrong in words is in
-// annulus_message. The mesh is then as it was before the call, and can be used, unless the function says what else
-// holds.
+// Every function that can fail returns ANNULUS_OK or another annulus_status; annulus_message returns the reason in
+// words. After a failed call the mesh is as it was before the call, and can still be used, unless the description of
+// the function says otherwise.
 //
-// Threads: functions that take a `const annulus_mesh *` may run at once on one mesh, while no other does; meshes are
-// independent of one another. No callback, no signal, no global state but a message a thread. Do not cancel a thread
-// within a call.
+// Threads: functions that take a `const annulus_mesh *` may run at the same time on one mesh, while no other function
+// does. Meshes are independent of one another. There are no callbacks, no signals and no global state, except one
+// message per thread. Do not cancel a thread within a call.
 //
-// Floating-point environment: rounding to nearest, subnormals not flushed, else ANNULUS_ENVIRONMENT. Exceptions may
-// trap in the program (-ffpe-trap): during a call they do not, in the calling thread, and the flags are afterwards as
-// they were before.
+// Floating-point environment: rounding to nearest and subnormals not flushed, otherwise ANNULUS_ENVIRONMENT. The
+// program may enable traps for floating-point exceptions (-ffpe-trap): they are disabled in the calling thread during
+// a call, and the flags are restored after it.
 #pragma once
 
 #include <stddef.h>
@@ -35,199 +35,202 @@
 extern "C" {
 #endif
 
-// Counts what was added to this file. Nothing is ever taken away or changed within one major version of the library.
+// Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
 #define ANNULUS_INTERFACE 2
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
-    ANNULUS_NULL_POINTER = 1,     // a pointer is NULL that must not be
+    ANNULUS_NULL_POINTER = 1,     // a pointer that must not be NULL is NULL
     ANNULUS_USAGE = 2,            // invalid dimension, name, option or size of a struct
-    ANNULUS_WRONG_SIZE = 3,       // not one point for every index; a buffer that is too small
+    ANNULUS_WRONG_SIZE = 3,       // not one point for every index, or a buffer that is too small
     ANNULUS_NOT_FINITE = 4,       // a coordinate is NaN or infinite
     ANNULUS_OUT_OF_DOMAIN = 5,    // a coordinate is larger than 2^500 in magnitude
-    ANNULUS_DUPLICATE_POINT = 6,  // two vertices would be at one place
-    ANNULUS_UNKNOWN_VERTEX = 7,   // an index that names no vertex: free, or outside
-    ANNULUS_ENVIRONMENT = 8,      // the floating-point environment is not the one the proofs assume
-    ANNULUS_TOO_LARGE = 9,        // more vertices or cells than indices can name
+    ANNULUS_DUPLICATE_POINT = 6,  // two vertices would be at one position
+    ANNULUS_UNKNOWN_VERTEX = 7,   // an index that is not a vertex: free, or out of range
+    ANNULUS_ENVIRONMENT = 8,      // the floating-point environment is not the one that the proofs assume
+    ANNULUS_TOO_LARGE = 9,        // more vertices or cells than there are indices
     ANNULUS_NO_MEMORY = 10,
-    ANNULUS_NO_TRIANGULATION = 11,  // Voronoi measures: the cells are not positive (tolerances that are not certified)
+    ANNULUS_NO_TRIANGULATION = 11,  // Voronoi measures: a cell is not positive (tolerances that are not certified)
     ANNULUS_INTERNAL = 12           // a bug in the library; please report it
 } annulus_status;
 
 // Opaque handle of a triangulation.
 typedef struct annulus_mesh annulus_mesh;
 
-// How a mesh is kept right. Make all of it 0, which stands for the default everywhere, and `size`
-// sizeof(annulus_options):
+// How a mesh is kept right. Set every member to 0, which means the default, and `size` to sizeof(annulus_options):
 //     annulus_options options = {0}; options.size = sizeof options;
-// Later versions may append members; what a caller's `size` does not reach has its default. Strings are read in
-// annulus_create and not kept.
+// Later versions may append members; members beyond the caller's `size` have their defaults. annulus_create reads the
+// strings and does not keep them.
 typedef struct annulus_options {
     size_t size;
     // "auto" (default), "tolerances", "tolerances-each", "in-place", "paper", "paper-hybrid", "relocate",
     // "relocate-flips", "rebuild"
     const char* strategy;
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
-    const char* second_look;   // NULL or "off": there are none any longer
+    const char* second_look;   // must be NULL or "off"; has no effect
     int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
-    int32_t merge_duplicates;  // not 0: equal points become one vertex instead of ANNULUS_DUPLICATE_POINT
+    int32_t merge_duplicates;  // not 0: duplicate points become one vertex instead of ANNULUS_DUPLICATE_POINT
     int32_t report_changes;    // not 0: annulus_changed lists cells
     int32_t reserved;          // 0
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
-// What a call did, all counts: of vertices, certificates, flips, time steps. Set `size` to sizeof(annulus_report)
-// before; what it does not reach is not written.
+// What a call did, as counts of vertices, certificates, flips and time steps. Set `size` to sizeof(annulus_report)
+// before the call; members beyond `size` are not written.
 typedef struct annulus_report {
     size_t size;
-    uint64_t asked;             // vertices that were asked to move; the next five add up to it
+    uint64_t asked;             // vertices that the call was to move; the next five add up to it
     uint64_t within_tolerance;  // proved right by the tolerance alone, or at rest
-    uint64_t kept_in_place;     // evaluated, and all certificates hold
+    uint64_t kept_in_place;     // certificates were evaluated, and all hold
     uint64_t flipped;           // a certificate was violated, and flips repaired it
-    uint64_t reinserted;        // taken out and put back in
+    uint64_t reinserted;        // removed and inserted again
     uint64_t rebuilt;           // the triangulation was rebuilt
     uint64_t evaluated;         // certificates evaluated
-    uint64_t by_filter;         // and the stage that decided them
-    uint64_t by_intervals;
-    uint64_t by_integers;
+    uint64_t by_filter;         // of these, decided by the filter,
+    uint64_t by_intervals;      // by interval arithmetic,
+    uint64_t by_integers;       // by exact arithmetic in integers
     uint64_t flips;
     uint64_t tolerance_steps;  // time steps that began with tolerances,
-    uint64_t sign_steps;       // with the signs of everything,
+    uint64_t sign_steps;       // with the signs of all certificates,
     uint64_t rebuild_steps;    // with a rebuild
     uint64_t changed;          // cells that annulus_changed lists
-    double cost;               // what it cost, in cells looked at
+    double cost;               // cost of the call, in cells tested
 } annulus_report;
 
-// The verdict of an audit; `size` as above.
+// The result of an audit; set `size` as above.
 typedef struct annulus_audit_result {
     size_t size;
-    // 1: shown exactly that the cells are a Delaunay triangulation of the vertices where they are now. 0: not
+    // 1: proved exactly that the cells are a Delaunay triangulation of the vertices at their current positions; else 0
     int32_t delaunay;
     int32_t reserved;
     uint64_t inverted_cells;
     uint64_t violated_facets;
     uint64_t concave_ridges;
     uint64_t topological_faults;
-    uint64_t degenerate_facets;  // no fault: d + 2 cospherical points
-    // In words, vertices by their index; cut where they do not fit; empty when there is none.
+    uint64_t degenerate_facets;  // not a fault: d + 2 cospherical points
+    // In words, with vertex indices. Cut if it does not fit; empty if there is no fault.
     char first_fault[232];
 } annulus_audit_result;
 
-// ---- A mesh, and what went wrong ----------------------------------------------------------------
+// ---- Creating and destroying a mesh, error messages ---------------------------------------------
 
-// Triangulates `points` points (0 is fine: coordinates may be NULL then) of the plane (dimension 2) or of space (3).
-// options: optional. *mesh is a new handle, or NULL after an error. Vertex i is point i unless duplicates are merged
-// (annulus_vertex_of_input). O(n log n).
+// Triangulates `points` points in 2D (dimension 2) or 3D (dimension 3). `points` may be 0, and `coordinates` NULL then.
+// options: optional. *mesh is a new handle, or NULL after an error. Vertex i is point i unless duplicate points are
+// merged (annulus_vertex_of_input). O(n log n).
 // Errors: USAGE, NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY; here and everywhere
 // NULL_POINTER.
 ANNULUS_API int annulus_create(annulus_mesh** mesh, int dimension, size_t points, const double* coordinates,
                                const annulus_options* options);
 
-// Frees a mesh and makes *mesh NULL, so that doing it twice does no harm. NULL, and a pointer to NULL, are fine.
+// Frees a mesh and sets *mesh to NULL, so that a second call does no harm. NULL and a pointer to NULL are allowed.
 // Copies of the handle dangle.
 ANNULUS_API void annulus_destroy(annulus_mesh** mesh);
 
-// Writes the message of the last call on this mesh that failed, whichever thread made it; for NULL of the last call
-// of this thread that failed without a mesh, annulus_create above all. Cut to `capacity` bytes, the last one 0;
-// buffer may be NULL when capacity is 0. Returns the length of the whole message, 0 when there has been no error. No
-// error itself.
+// Writes the message of the last failed call on this mesh, from whichever thread. With mesh == NULL: the message of the
+// last failed call of this thread that had no mesh, such as annulus_create. The message is cut to `capacity` bytes, the
+// last one 0; buffer may be NULL when capacity is 0. Returns the length of the whole message, 0 if there has been no
+// error. Cannot fail.
 ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity);
 
-// Writes the indices of the vertices that the same message is about and returns how many they are, 0 to 2. After
-// DUPLICATE_POINT both, the smaller one first: of annulus_create numbers of points, of annulus_insert the one vertex
-// that is there already. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN the vertex or point that is refused. No
-// error itself.
+// Writes the indices of the vertices that the same message names, and returns their number, 0 to 2. After
+// DUPLICATE_POINT: both vertices, the smaller index first; for annulus_create the numbers of the two points, for
+// annulus_insert only the vertex that already has this position. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN:
+// the vertex or point that was refused. Cannot fail.
 ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
 
-// "duplicate_point" for ANNULUS_DUPLICATE_POINT, and so on; "unknown status" for what is none. Never NULL.
+// The name of a status, "duplicate_point" for ANNULUS_DUPLICATE_POINT; "unknown status" for any other number. Never
+// NULL.
 ANNULUS_API const char* annulus_status_name(int status);
 
-// The version of the library, "0.1.0", and the ANNULUS_INTERFACE that it was built with.
+// The version of the library, for example "0.1.0", and the ANNULUS_INTERFACE that it was built with.
 ANNULUS_API const char* annulus_version(void);
 ANNULUS_API int annulus_interface(void);
 
-// ---- What changes it. report: optional everywhere --------------------------------------------------
+// ---- Changing a mesh. report: optional everywhere --------------------------------------------------
 
-// Moves every vertex: point i is the new position of vertex i; what stands at free indices is ignored. `points` is
-// annulus_index_bound. O(n) with a small constant when few vertices leave their tolerance.
+// Moves every vertex: point i is the new position of vertex i; points at free indices are ignored. `points` must be
+// annulus_index_bound. O(n), with a small constant when few vertices leave their tolerance.
 // Errors: WRONG_SIZE, NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
-// Moves some vertices, all at once: indices[k] to point k; the last holds for an index that is named twice. While
-// they are fewer than one in 64, under the filters, it costs as much as their single moves, whatever the size of the
-// mesh. The same errors and UNKNOWN_VERTEX.
+// Moves some vertices, all at the same time: vertex indices[k] to point k. If an index occurs twice, its last point
+// counts. If fewer than one in 64 vertices move while tolerances are kept, the cost is that of their single moves,
+// independent of the size of the mesh. The same errors as annulus_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
                              annulus_report* report);
 
-// Inserts vertices one after another and writes their indices: those freed last, then new ones. Coordinates are
-// looked at first. When a later point is refused (DUPLICATE_POINT, TOO_LARGE, NO_MEMORY), those before it stay:
-// *inserted, optional, says how many they are, 0 when nothing was done. Ten to twenty microseconds each in 2D
-// (up to a million vertices), some forty in 3D (up to 100,000); the first after a construction copies arrays, O(n).
-// While all points are in a plane or on a line each rebuilds everything.
+// Inserts vertices one after another and writes their indices: first the free ones, the one freed last first, then new
+// ones. All coordinates are checked before the first insertion. If a later point is refused (DUPLICATE_POINT,
+// TOO_LARGE, NO_MEMORY), the points before it stay inserted: *inserted, optional, is their number, 0 if nothing was
+// done. Ten to twenty microseconds each in 2D (up to a million vertices), about forty in 3D (up to 100,000). The first
+// insertion after a construction copies arrays, O(n). While all points are in a plane or on a line, each insertion
+// rebuilds everything.
 // Errors: NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices,
                                size_t* inserted, annulus_report* report);
 
-// Removes vertices one after another; their indices become free. Indices are looked at first; after NO_MEMORY
-// *removed, optional, says how many have gone, and the next one may have gone, too (annulus_is_vertex). Errors:
-// UNKNOWN_VERTEX (named twice, too), ENVIRONMENT, NO_MEMORY.
+// Removes vertices one after another; their indices become free. All indices are checked before the first removal.
+// After NO_MEMORY, *removed, optional, is the number of vertices removed, and the next one may have been removed as
+// well (see annulus_is_vertex).
+// Errors: UNKNOWN_VERTEX (also for an index that occurs twice), ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, size_t* removed,
                                annulus_report* report);
 
-// Makes every tolerance fresh, measured from where the vertices are. O(n). Errors: DUPLICATE_POINT, ENVIRONMENT,
-// NO_MEMORY.
+// Computes every tolerance again, measured from the current positions of the vertices. O(n).
+// Errors: DUPLICATE_POINT, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_recompute_tolerances(annulus_mesh* mesh, annulus_report* report);
 
-// ---- What it says. O(1) ----------------------------------------------------------------------------
+// ---- Queries. O(1) ---------------------------------------------------------------------------------
 
-ANNULUS_API int annulus_dimension(const annulus_mesh* mesh, int* dimension);  // 2 or 3, of annulus_create
+ANNULUS_API int annulus_dimension(const annulus_mesh* mesh, int* dimension);  // 2 or 3, as given to annulus_create
 ANNULUS_API int annulus_affine_dimension(const annulus_mesh* mesh,
-                                         int* dimension);  // less when the points are flat; -1: none
+                                         int* dimension);  // less if the points are flat; -1: no points
 ANNULUS_API int annulus_vertex_count(const annulus_mesh* mesh, size_t* count);
 // One more than the largest index in use or free: the size of every array by vertex index.
 ANNULUS_API int annulus_index_bound(const annulus_mesh* mesh, size_t* bound);
-// 1 for a vertex, 0 for a free index and for what is outside.
+// 1 for a vertex, 0 for a free index or one out of range.
 ANNULUS_API int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* answer);
-// The strategy in force: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant
+// The strategy in use: that of the options, except that "paper-hybrid" becomes "paper" when it switches. A constant
 // string.
 ANNULUS_API int annulus_strategy(const annulus_mesh* mesh, const char** name);
 
-// ---- Arrays by vertex index. `capacity` is of vertices, at least annulus_index_bound, else WRONG_SIZE. O(n) -------
+// ---- Arrays by vertex index. `capacity` counts vertices: at least annulus_index_bound, else WRONG_SIZE. O(n) -------
 
 // NaN at free indices.
 ANNULUS_API int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates);
-// How far a vertex may be from where it was when its tolerance was computed, while every other one is within its own:
-// a certified lower bound, unless options say otherwise. 0 at free indices and where all points are in a plane or
-// on a line. Errors: ENVIRONMENT, NO_MEMORY.
+// The tolerance of each vertex: how far it may be from its fixed position, where it was when its tolerance was
+// computed, while every other vertex is within its own tolerance. A certified lower bound, unless options say
+// otherwise. 0 at free indices and if all points are in a plane or on a line. Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, double* lengths);
-// How far it is from there, rounded up. 0 at free indices. Errors: as above.
+// The distance of each vertex from its fixed position, rounded up. 0 at free indices. Errors: as above.
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
-// Areas (dimension 2) or volumes (3) of Voronoi cells, each with a relative error of at most 2^-33, whatever the
-// points, and how many Voronoi cells touch each: the neighbours in the triangulation. Infinity where the cell is
-// unbounded, at vertices of the hull; NaN and 0 at free indices. Either array may be NULL.
-// Saturates at the largest double; one below the smallest normal double has an absolute error of 2^-1074 besides. A
-// microsecond a vertex.
+// Areas (dimension 2) or volumes (dimension 3) of the Voronoi cells, each with a relative error of at most 2^-33 for
+// any points, and for each cell the number of Voronoi cells that touch it: its neighbours in the triangulation. The
+// area or volume of an unbounded cell, that of a vertex of the hull, is infinity. At free indices the volume is NaN and
+// the number is 0. Either array may be NULL. Values saturate at the largest double; those below the smallest normal
+// double have an additional absolute error of 2^-1074. One microsecond per vertex.
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts);
 
-// ---- Lists. Ask with capacity 0 and NULL for the count, then call again; *count is right after WRONG_SIZE, too -----
+// ---- Lists. Call with capacity 0 and NULL for the count, then again; *count is right after WRONG_SIZE, too ---------
 
-// The vertex of every point that was given to annulus_create: other than 0, 1, 2 .. only where duplicates were merged.
+// The vertex of every point given to annulus_create: 0, 1, 2, .. unless duplicate points were merged.
 ANNULUS_API int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count);
-// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (
-// in 2D counter-clockwise; in 3D det(b - a, c - a, e - a) > 0), padded with -2 where all points are in a plane or
-// on a line. neighbours: the cell opposite to each vertex, -1 beyond the hull. Cells are counted 0, 1, 2 .. until the
-// next call that changes the mesh. They are kept until then for the next caller: 24 or 32 bytes a cell. O(n).
+// Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in 2D
+// counter-clockwise; in 3D det(b - a, c - a, e - a) > 0), padded with -2 if all points are in a plane or on a line.
+// neighbours: the cell opposite to each vertex, -1 outside the hull. Cells have the numbers 0, 1, 2, .. until the next
+// call that changes the mesh. The list is kept until then for further calls: 24 or 32 bytes per cell. O(n).
 // Errors: WRONG_SIZE, NO_MEMORY.
 ANNULUS_API int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, int32_t* neighbours,
                               size_t* count);
-// With options.report_changes: the cells that the last call that changed the mesh made, as vertices, -1 for the one
-// at infinity; a call that is several (annulus_insert, annulus_remove) may name one that is gone again. All finite
-// ones where all points are, or were, in a plane or on a line. O(list).
+// With options.report_changes: the cells that were created by the last call that changed the mesh, as vertices, -1 for
+// the vertex at infinity. For a call that makes several changes (annulus_insert, annulus_remove) the list may contain a
+// cell that no longer exists. If all points are, or were, in a plane or on a line: all finite cells. O(list).
 // Errors: WRONG_SIZE; USAGE without that option.
 ANNULUS_API int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 
-// The exact verdict, in integers, trusting nothing of the above. Some microseconds a vertex. Errors: USAGE, NO_MEMORY.
+// An exact check in integer arithmetic that relies on none of the above. A few microseconds per vertex.
+// Errors: USAGE, NO_MEMORY.
 ANNULUS_API int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result);
 
 #ifdef __cplusplus

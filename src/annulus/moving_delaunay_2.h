@@ -6,11 +6,11 @@
 
 namespace annulus {
 
-/// A moving Delaunay 2D triangulation whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
+/// A moving Delaunay triangulation in 2D whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
 template <class Info>
 using Moving_delaunay_with_info_2 = Moving_delaunay<Cgal_view_2<Info>>;
 
-/// A moving Delaunay 2D triangulation.
+/// A moving Delaunay triangulation in 2D.
 using Moving_delaunay_2 = Moving_delaunay_with_info_2<No_info>;
 
 extern template class Cgal_view<Cgal_traits_2<No_info>>;

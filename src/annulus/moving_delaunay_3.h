@@ -6,11 +6,11 @@
 
 namespace annulus {
 
-/// A moving Delaunay 3D triangulation whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
+/// A moving Delaunay triangulation in 3D whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
 template <class Info>
 using Moving_delaunay_with_info_3 = Moving_delaunay<Cgal_view_3<Info>>;
 
-/// A moving Delaunay 3D triangulation.
+/// A moving Delaunay triangulation in 3D.
 using Moving_delaunay_3 = Moving_delaunay_with_info_3<No_info>;
 
 extern template class Cgal_view<Cgal_traits_3<No_info>>;

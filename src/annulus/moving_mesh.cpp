@@ -18,7 +18,7 @@ struct Moving_mesh<d>::Parts {
     Delaunay_mesh<d> mesh;
     Engine<d> engine;
     std::mutex measuring;
-    std::unique_ptr<Kept_voronoi_volumes<d>> volumes;  // once they have been asked for
+    std::unique_ptr<Kept_voronoi_volumes<d>> volumes;  // null until the first call of voronoi_volumes()
 };
 
 namespace {

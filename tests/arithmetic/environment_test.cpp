@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rounding guard, and what is looked at before anything is certified.
+// The rounding guard, and the checks of the environment before anything is certified.
 //
 // Contraction into fused multiply-adds cannot be switched on at run time: to see environment_fault() report it, compile
 // src/annulus/arithmetic/environment.cpp with -mfma -ffp-contract=fast.
@@ -33,7 +33,7 @@ namespace {
 }
 
 #if defined(__x86_64__)
-/// Sets bits of the control register and puts all of it back.
+/// Sets bits of the control register and restores the register.
 class Control_bits {
   public:
     explicit Control_bits(unsigned bits) : previous_(_mm_getcsr()) { _mm_setcsr(previous_ | bits); }
@@ -166,7 +166,7 @@ TEST_CASE("the domain is every number of magnitude at most 2^500", "[arithmetic]
     CHECK(!in_domain(Coordinates<2>{0.0, nan}));
     CHECK(!in_domain(Coordinates<2>{-infinity, 0.0}));
     CHECK(!in_domain(Coordinates<3>{0.0, 0.0, 0x1p501}));
-    // What the limit is for: squared distances stay finite.
+    // The purpose of the limit: squared distances stay finite.
     const double d = 0x1p500 - -0x1p500;
     CHECK(std::isfinite(d * d + d * d + d * d));
 }

@@ -102,7 +102,7 @@ TEST_CASE("doubles as integers at the ends of the range", "[arithmetic]") {
     CHECK(zeros.integer[0] == 0);
     CHECK(zeros.integer[1] == 0);
     CHECK(zeros.exponent == 0);
-    // The widest spread the domain allows: the stated 1,600 bits.
+    // The widest spread in the domain: the stated 1,600 bits.
     const Scaled_integers wide(std::vector<double>{0x1p500, smallest});
     CHECK(mpz_sizeinbase(wide.integer[0].get_mpz_t(), 2) <= 1700);
     CHECK(squared(mpz_class(-12)) == 144);
@@ -220,7 +220,7 @@ TEST_CASE("the quotient is the largest double not above the truth, ties included
     CHECK(quotient_by_roots_lower(4 * large - 1, 4 * large * large, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
     CHECK(quotient_by_roots_lower(4 * large + 1, 4 * large * large, 4 * large * large, 0) == 1.0);
     CHECK(quotient_by_roots_lower(4 * large, 4 * large * large + 1, 4 * large * large, 0) == std::nextafter(1.0, 0.0));
-    // A truth of 1 that 128 bits see from below: every number of it is longer.
+    // A truth of 1 that 128 bits approximate from below: every number in it is longer.
     const mpz_class longer = large + 1;
     CHECK(quotient_by_roots_lower(4 * longer, 4 * longer * longer, 4 * longer * longer, 0) == 1.0);
     // 3.75 less almost 2^-126: everything on the way has 128 bits but the quotient, which must not be rounded to 3.75.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one interval policy: what it encloses is checked with rational numbers.
+// The interval policy: its enclosures are checked with rational numbers.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -22,7 +22,7 @@ using namespace annulus::testing;
 
 namespace {
 
-// Operations on what is in memory, never inlined: see Rounding_guard.
+// Operations on operands in memory, never inlined: see Rounding_guard.
 [[gnu::noinline]] void add(const Interval& x, const Interval& y, Interval& r) { r = x + y; }
 [[gnu::noinline]] void subtract(const Interval& x, const Interval& y, Interval& r) { r = x - y; }
 [[gnu::noinline]] void multiply(const Interval& x, const Interval& y, Interval& r) { r = x * y; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Half of a double: what it keeps, and on which side of the truth.
+// The upper half of a double: its accuracy, and on which side of the truth it is.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out in a call of the C interface is a status; the mesh is as it was, and goes on.
+// A call of the C interface that runs out of memory returns a status; the mesh is unchanged and remains usable.
 #include <annulus/annulus.h>
 
 #include <support/catch.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface answers: after moves, insertions and removals the cells are those of a mesh that is new there,
-// changed cells are listed, Voronoi cells of a box add up, and sets that are empty, flat or have duplicates have the
-// answers that annulus.h says.
+// Results of the C interface: after moves, insertions and removals the cells are those of a new mesh at the same
+// positions, changed cells are listed, Voronoi cells of a box add up, and sets that are empty, flat or have duplicates
+// give the results documented in annulus.h.
 #include "check.h"
 
 #include <math.h>
@@ -44,7 +44,7 @@ static void check_delaunay(const annulus_mesh* mesh) {
     if (!audit.delaunay) printf("%s\n", audit.first_fault);
 }
 
-// Steps of all and of some vertices; the same mesh rebuilt after each.
+// Steps of all and of some vertices, compared with a mesh that is built again after each.
 static void check_motion(int dimension, const char* strategy, size_t n) {
     const size_t d = (size_t)dimension;
     const size_t corners = d + 1;
@@ -94,7 +94,7 @@ static void check_motion(int dimension, const char* strategy, size_t n) {
             int32_t* fresh_cells = sorted_cells(fresh, dimension, &anew);
             int32_t* list = NULL;
             CHECK(now == anew && memcmp(cells, fresh_cells, now * corners * sizeof *cells) == 0);
-            // What was not there before is listed.
+            // Cells that did not exist before are listed.
             CHECK_STATUS(annulus_changed(mesh, 0, NULL, &changed), ANNULUS_OK);
             CHECK(changed == report.changed);
             list = malloc((changed + 1) * corners * sizeof *list);
@@ -147,7 +147,7 @@ static void check_neighbours(int dimension) {
             CHECK(other < 0 || mutual);
         }
     for (int i = 0; i < n; ++i) CHECK(volumes[i] > 0 && neighbour_counts[i] >= dimension);
-    // Neighbours alone, volumes alone.
+    // Only neighbours, only volumes.
     CHECK_STATUS(annulus_voronoi(mesh, n, NULL, neighbour_counts), ANNULUS_OK);
     volumes[0] = -1;
     CHECK_STATUS(annulus_voronoi(mesh, n, volumes, NULL), ANNULUS_OK);
@@ -246,8 +246,8 @@ static void check_small_sets(int dimension) {
     annulus_destroy(&mesh);
 }
 
-// The paper's tolerance lets a spindle of five points (docs/theory.md 3) grow past the sphere of four of them: what
-// the audit then says names vertices by their indices, of which 0 is free.
+// The paper's tolerance lets a spindle of five points (docs/theory.md 3) grow past the sphere of four of them: the
+// audit's message names vertices by their indices, of which 0 is free.
 static void check_first_fault(void) {
     const double s = sqrt(0.75);
     double x[18] = {5, 5, 5, 0, 0, 0.99, 0, 0, -0.99, 1, 0, 0, -0.5, s, 0, -0.5, -s, 0};

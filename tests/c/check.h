@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the C programs of the tests share: checks that are counted, and random points.
+// Shared by the C programs of the tests: checks that are counted, and random points.
 
 #include <annulus/annulus.h>
 

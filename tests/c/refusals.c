@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface refuses, and that a mesh is as it was afterwards: pointers that are NULL, sizes, names,
-// indices, positions, environments.
+// Arguments that the C interface refuses, leaving the mesh unchanged: NULL pointers, sizes, names, indices, positions,
+// environments.
 #include "check.h"
 
 #include <fenv.h>
@@ -77,7 +77,7 @@ static void check_null(void) {
     CHECK(annulus_message(mesh, text, 4) == strlen("result is NULL"));
     CHECK(strcmp(text, "res") == 0);
 
-    // Nothing of nothing is fine.
+    // NULL is allowed for empty arrays.
     CHECK_STATUS(annulus_move(mesh, 0, NULL, NULL, NULL), ANNULUS_OK);
     CHECK_STATUS(annulus_insert(mesh, 0, NULL, NULL, NULL, NULL), ANNULUS_OK);
     CHECK_STATUS(annulus_remove(mesh, 0, NULL, NULL, NULL), ANNULUS_OK);
@@ -127,7 +127,7 @@ static void check_sizes_and_names(void) {
     options.reserved = 0;
     CHECK(mesh == NULL);
 
-    // A caller that is newer than the library: only what it leaves 0 is fine.
+    // A caller that is newer than the library: members that the library does not have must be 0.
     memset(&longer, 0, sizeof longer);
     longer.known = options;
     longer.known.size = sizeof longer;
@@ -136,7 +136,7 @@ static void check_sizes_and_names(void) {
     longer.later = 0;
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &longer.known), ANNULUS_OK);
     annulus_destroy(&mesh);
-    // One that is older: what it does not know has its default.
+    // A caller that is older: members that it does not have take their defaults.
     options.size = offsetof(annulus_options, tolerance);
     options.tolerance = "not looked at";
     CHECK_STATUS(annulus_create(&mesh, 2, 1, x, &options), ANNULUS_OK);
@@ -176,7 +176,7 @@ static void check_sizes_and_names(void) {
     annulus_destroy(&mesh);
 }
 
-// After each refusal positions, cells and indices are what they were.
+// After each refusal positions, cells and indices are unchanged.
 static void check_indices_and_positions(int dimension) {
     const double far_out = 0x1p501;
     const int32_t bad[] = {-1, -2, INT32_MIN, points, INT32_MAX, 5};
@@ -287,7 +287,7 @@ static void check_environment(void) {
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);
     CHECK(audit.delaunay == 1);
 
-    // Flags are the caller's.
+    // The caller's floating-point flags are unchanged.
     feclearexcept(FE_ALL_EXCEPT);
     x[0] += 1.0 / 3.0;
     feclearexcept(FE_ALL_EXCEPT);
@@ -306,7 +306,7 @@ int main(void) {
     check_indices_and_positions(2);
     check_indices_and_positions(3);
     check_environment();
-    CHECK(strcmp(annulus_status_name(ANNULUS_DUPLICATE_POINT), "duplicate_point") == 0);
+    CHECK(strcmp(annulus_status_name(ANNULUS_DUPLICATE_POINT), "duplicate point") == 0);
     CHECK(strcmp(annulus_status_name(-5), "unknown status") == 0);
     CHECK(annulus_interface() == ANNULUS_INTERFACE);
     CHECK(strlen(annulus_version()) >= 5);

@@ -13,7 +13,7 @@ enum { n = 400, readers = 4 };
 
 static int failed(int status) { return status != ANNULUS_OK; }
 
-// A mesh of its own, and a message of its own. Returns how much went wrong: checks are counted in one thread.
+// Uses its own mesh, and its own error message. Returns the number of failures: checks are counted in one thread.
 static void* moves(void* seed) {
     static int wrong;
     uint64_t state = *(const uint64_t*)seed;
@@ -51,7 +51,7 @@ static void* reads(void* given) {
         faults += failed(annulus_voronoi(mesh, n, volumes, counts));
         faults += failed(annulus_cells(mesh, 0, NULL, NULL, &count)) || count < n;
         faults += failed(annulus_tolerances(mesh, n, lengths));
-        faults += annulus_points(mesh, 1, lengths) != ANNULUS_WRONG_SIZE;  // all write one message
+        faults += annulus_points(mesh, 1, lengths) != ANNULUS_WRONG_SIZE;  // all threads write an error message
         faults += annulus_message(mesh, text, sizeof text) != strlen(text);
         faults += strcmp(text, "there is room for 1 of 400 vertices") != 0;
     }
@@ -88,8 +88,8 @@ int main(void) {
     }
 
 #if defined(__GLIBC__) && (defined(__x86_64__) || defined(__i386__))
-    // A program that is stopped by its own faults is not by ours: flat cells and huge coordinates overflow, and are
-    // computed exactly.
+    // A program that enables traps is not stopped by exceptions inside the library: flat cells and huge coordinates
+    // overflow, and are computed exactly.
     feclearexcept(FE_ALL_EXCEPT);
     CHECK(feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW | FE_INEXACT) != -1);
     x[0] = 0x1p499;

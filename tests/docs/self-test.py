@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tools/check-docs finds what is wrong in a page. usage: self-test.py CHECK_DOCS"""
+"""Tests that tools/check-docs finds the faults of a page. usage: self-test.py CHECK_DOCS"""
 
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out at the n-th allocation of a call, for every n: the object is as it was, and the same call
+// A call that runs out of memory at its n-th allocation, for every n: the object is unchanged, and the same call
 // succeeds when there is memory again.
 #include "../../fuzz/common/operation.h"
 
@@ -51,7 +51,7 @@ std::vector<Coordinates<d>> lattice(std::size_t n, std::uint64_t seed) {
     return x;
 }
 
-/// A call, and the object that it is made on.
+/// A call, and its object.
 template <int d>
 struct Scene {
     using Moving = Moving_of<d>;
@@ -124,7 +124,7 @@ std::vector<Call<d>> calls() {
     };
 }
 
-/// Empty, or what is wrong with an object between calls.
+/// Empty, or the fault of an object between calls.
 template <class Moving>
 std::string fault(const Moving& dt) {
     const Audit_result audit = dt.audit();
@@ -147,7 +147,7 @@ auto cells_of(const Moving_of<d>& dt) {
     return cells;
 }
 
-/// What must be as it was even where there was not memory enough to build the cells again.
+/// The state that must be unchanged even where there was not enough memory to rebuild the cells.
 template <int d>
 std::string identity(const Scene<d>& scene) {
     std::ostringstream said;
@@ -163,8 +163,8 @@ std::string identity(const Scene<d>& scene) {
     return said.str();
 }
 
-/// The call with its n-th allocation failing, and what comes after. Empty, or the first fault; `done` if it made
-/// fewer allocations.
+/// Makes the call with its n-th allocation failing, then further calls. Empty, or the first fault; sets `done` if it
+/// made fewer allocations.
 template <int d>
 std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& call, Memory memory, bool& done) {
     Scene<d> scene(setting);
@@ -188,7 +188,7 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
         if (!gone) call.make(scene);
     }
     if (const std::string words = fault(dt); !words.empty()) return "and again: " + words;
-    // What it left behind may do harm later.
+    // State that it left behind may cause faults later.
     auto x = lattice<d>(dt.index_bound(), 11);
     (void)dt.move_all(x);
     if (const std::string words = fault(dt); !words.empty()) return "and on: " + words;
@@ -198,9 +198,9 @@ std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& ca
     return {};
 }
 
-/// One allocation of the call after another fails, each in a thread of its own: CGAL's 3D triangulation keeps a
-/// table in thread-local memory, and what one failure leaves in it is not to hide the others. The first ones are
-/// tried all, of later ones a share by chance: thousands of them are those of one loop. Returns the first fault.
+/// One allocation of the call after another fails, each in a thread of its own: CGAL's 3D triangulation keeps a table
+/// in thread-local memory, and the state after one failure must not hide the others. All of the first allocations are
+/// tried, and a random share of later ones: thousands of them belong to one loop. Returns the first fault.
 template <int d>
 std::string starve_at_every_allocation(const Setting& setting, const Call<d>& call, Memory memory) {
     const auto share = static_cast<std::uint64_t>(repeats(d == 2 ? 40 : 10));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out at any allocation of a build: the same builder works again. With tiny limits the vertices are
+// A build that runs out of memory at any allocation: the same builder works again. With tiny limits the vertices are
 // shared out among threads.
 #include <support/built_numbers.h>
 #include <support/failing_new.h>

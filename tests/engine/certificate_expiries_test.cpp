@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the expiries of certificates lie: every one has a place of its own, and is found from every side.
+// The storage of certificates' expiries: every expiry has its own place, and is found from every side.
 #include <annulus/engine/certificate_expiries.h>
 #include <annulus/moving_mesh.h>
 
@@ -54,7 +54,7 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
             expiries.of_cell(t.corner(c, i)) = number_of_corner;
             truth[{id_of_cell(c), t.vertex(t.corner(c, i))}] = number_of_corner;
         }
-    // Found around every vertex, as a tour looks for them, and none but these.
+    // A star walk around every vertex finds these and no others.
     std::size_t found = 0;
     Corner_index own;
     for (Index v = 0; v < t.vertex_bound(); ++v)
@@ -75,7 +75,7 @@ TEMPLATE_TEST_CASE_SIG("Every certificate has an expiry for each of its points, 
                 ++found;
             });
     CHECK(found == truth.size());
-    // Whoever is no point of a certificate has none.
+    // A vertex that is not a point of a certificate has no expiry in it.
     for (const Corner_index f : t.facets()) {
         if (facet_kind(t, f) != Facet_kind::empty_sphere) continue;
         for (Index v = 0; v < t.vertex_bound(); ++v)

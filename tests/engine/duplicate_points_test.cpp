@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A duplicate point names both vertices, and other errors the one they are about, whatever was called and under every
-// strategy.
+// The error of a duplicate point names both vertices, and other errors the vertex that they concern, for every call and
+// every strategy.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
@@ -119,7 +119,7 @@ void check_everything(const Positions<d>& points, const Options& options) {
         check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, duplicate_point, {3, 5},
                    "vertices 3 and 5 would have the same position");
         const Index some[] = {1, 6, 8};
-        const Positions<d> goals{points[8], points[10], points[1]};  // two change places, one is in the way
+        const Positions<d> goals{points[8], points[10], points[1]};  // two exchange positions, one is in the way
         check_told([&] { (void)mesh.move(some, goals); }, duplicate_point, {6, 10},
                    "vertices 6 and 10 would have the same position");
         const Positions<d> equal{points[8], points[8], points[1]};
@@ -144,7 +144,7 @@ void check_everything(const Positions<d>& points, const Options& options) {
         CHECK(Positions<d>(now<Mesh, d>(mesh).begin(), now<Mesh, d>(mesh).end()) == points);
         CHECK(mesh.audit().delaunay());
     }
-    // A vertex that has gone is in nobody's way, and an index that is free has no name.
+    // The position of a removed vertex is free for others, and no error names a free index.
     remove<Mesh, d>(mesh, 4);
     check_told([&] { (void)mesh.move(4, points[0]); }, Error_code::unknown_vertex, {4}, "no vertex has index 4");
     x = points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vertex' list of expiries beside a table of all of them.
+// The list of expiries of a vertex compared with a table of all of them.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
                 list.put(id, truth[id] = truth[id].reached(path_length)
                                              ? Expiry::lower(path_length + 1.0 + static_cast<double>(random() % 8))
                                              : truth[id]);
-            if (!enough) {  // a tour
+            if (!enough) {  // a star walk
                 ++dry;
                 list.clear();
                 std::vector<Expiry> expiry;
@@ -102,7 +102,7 @@ TEST_CASE("Many certificates at once: those listed come first, the others announ
         std::set<std::uint32_t> listed;
         list.take_reached(1e300, [&](std::uint32_t i) { listed.insert(i); });
         for (std::size_t i = 0; i < id.size(); ++i) RC_ASSERT(listed.contains(id[i]) || !(expiry[i] < list.rest()));
-        // Half of the list at least, unless there is no bound between equal ones.
+        // At least half of the list, unless equal ones leave no bound between them.
         std::erase(expiry, Expiry::never());
         std::sort(expiry.begin(), expiry.end());
         const std::size_t most = std::min<std::size_t>(expiry.size(), 15);

@@ -44,11 +44,11 @@ constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate,   Strat
                                 Strategy::in_place,  Strategy::tolerances, Strategy::tolerances_each,
                                 Strategy::automatic, Strategy::paper,      Strategy::paper_hybrid};
 
-/// Limits, by a name that depends on d: where they are wide nothing can be assigned to them.
+/// Limits, as a dependent name: wide ones cannot be assigned to.
 template <int d>
 using Horizons_of = std::conditional_t<d != 0, Limits, void>;
 
-/// Everything that counts of a report; no time.
+/// The members of a report that are compared: all but the time.
 std::vector<std::uint64_t> numbers(const Move_report& r) {
     const auto& m = r.moves;
     return {m.asked,       m.within_tolerance,  m.kept_in_place,       m.flipped,
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatev
     for (const Strategy strategy : strategies) {
         Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 1)), with(strategy));
         const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
-        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // under paper-hybrid this is where it filters
+        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // paper-hybrid switches to `paper` here
         CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
         CHECK(dt.audit().delaunay());
         dt.move(0, dt.positions()[0]);
@@ -86,11 +86,11 @@ TEMPLATE_TEST_CASE_SIG("A time step that paper-hybrid refuses does not switch it
 
 TEMPLATE_TEST_CASE_SIG("Flips and relocations are counted as what they are", "[faults]", ((int d), d), 2, 3) {
     Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(80, 2)), with(Strategy::relocate_flips));
-    // Across the whole set no star goes along.
+    // No star can follow a move across the whole set.
     Coordinates<d> far = dt.positions()[0];
     for (double& c : far) c = c > 0 ? c - 1.0 : c + 1.0;
     CHECK(dt.move(0, far).moves.reinserted == 1);
-    // A trifle needs no relocation.
+    // A tiny move needs no relocation.
     Coordinates<d> near = dt.positions()[1];
     near[0] += 1e-9;
     CHECK(dt.move(1, near).moves.reinserted == 0);
@@ -128,13 +128,13 @@ TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no 
         y.back().fill(0.125);
         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(y));
         CHECK(report.moves.asked == x.size());
-        CHECK(report.moves.rebuilt < x.size() / 2);  // a way was found without building everything again
+        CHECK(report.moves.rebuilt < x.size() / 2);  // repaired without rebuilding everything
         CHECK(dt.audit().delaunay());
     }
 }
 
 TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]") {
-    // Junk between the blocks that the run takes.
+    // Junk between the blocks that the run allocates.
     const auto run = [](std::uint64_t junk) {
         std::mt19937_64 random(junk);
         std::vector<std::unique_ptr<char[]>> held;
@@ -162,7 +162,7 @@ TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]")
     for (int junk = 1; junk <= repeats(5); ++junk) CHECK(run(static_cast<std::uint64_t>(junk)) == first);
 }
 
-TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothing has changed", "[faults][horizons]",
+TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothing has changed", "[faults][limits]",
                        ((int d), d), 2, 3) {
     if constexpr (!Limits::tiny) {
         SUCCEED("2^29 cells are more than a test has memory for; the build with tiny limits passes this bound");

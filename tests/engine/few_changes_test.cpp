@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an insertion or a removal changed is listed from what was written to, and all cells are not looked at: counted
-// in bytes asked for.
+// Insertions and removals list changed cells from the places written to, without reading all cells: counted in bytes
+// allocated.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -63,7 +63,7 @@ void check_few(Strategy strategy) {
     options.strategy = strategy;
     options.report_changes = true;
     Triangulation dt(std::span<const Coordinates<d>>(points), options);
-    // All cells, written down once; room for them in the journal and the like is made by the first call.
+    // All cells, listed once; the first call allocates room for them in the change log and elsewhere.
     const std::uint64_t all = dt.cells().vertices.size() * (d + 1) * sizeof(Index);
     for (int round = 0; round < 2; ++round) {
         for (int k = 0; k < 8; ++k) {
@@ -75,7 +75,7 @@ void check_few(Strategy strategy) {
             CHECK_FALSE(went.gone.empty());
             if (k > 0) CHECK(Failing_new::bytes() < all / 2);
         }
-        if (strategy == Strategy::relocate) break;  // which takes long
+        if (strategy == Strategy::relocate) break;  // which is slow
         std::vector<Coordinates<d>> x(positions<d>(dt).begin(), positions<d>(dt).end());
         for (auto& p : x) p[0] *= 1 + 1e-9;
         (void)dt.move_all(std::span<const Coordinates<d>>(x));

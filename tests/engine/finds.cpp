@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs that once went wrong: what fuzz/moves_2.cpp and the property tests printed, made small.
+// Programs that failed once: output of fuzz/moves_2.cpp and the property tests, reduced.
 #include <common/operation.h>
 
 #include <support/catch.h>
@@ -9,7 +9,7 @@ using namespace annulus::oracle;
 
 namespace {
 
-/// The same under every way to keep a triangulation right.
+/// The same under every update strategy.
 template <int d>
 void holds_under_all(Program_of<d> program) {
     for (const Setting& setting : certified_settings) {
@@ -81,7 +81,7 @@ TEST_CASE("With the paper's tolerances vertices come and go without crash or han
 }
 
 TEST_CASE("Positions given back to an object whose strategy changes meanwhile are still there", "[finds]") {
-    // the hybrid handed them to the filter first and read them afterwards.
+    // the hybrid passed them to `paper` first and read them afterwards.
     using Do = Calls<2>;
     holds_everywhere({{}, {{0, 0}, {9, 1}, {1, 8}, {7, 7}, {4, 3}}, {Do::stay(), Do::stay()}});
     using Do_3 = Calls<3>;
@@ -115,7 +115,7 @@ TEST_CASE("Cells that came while no tolerances were kept have records when toler
 }
 
 TEST_CASE("Vertices whose squared distances underflow are held back all the same", "[finds]") {
-    // Nobody seemed to have moved, so inverted cells were left to what comes last.
+    // No vertex seemed to have moved, so inverted cells were left to the last resort.
     const double u = 0x0.00000000001p-1022;
     holds_everywhere_in_space({{},
                                {{0, 0, 0}, {0, 0, 1}, {0, 0, 0.25 * u}, {0, 1, 0}, {u, -u, 0}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices that come one by one while all of them are in a plane or on a line: nothing is rebuilt for one of them.
+// Vertices inserted one by one while all of them are in a plane or on a line: no insertion rebuilds.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -59,7 +59,7 @@ void check(Strategy strategy) {
         insert<d>(dt, x[i]);
         if (2 * i > x.size()) bytes += Failing_new::bytes();
     }
-    CHECK(bytes < x.size() / 2 * 3 * x.size());  // to list all vertices for each of the second half takes more than 4 n
+    CHECK(bytes < x.size() / 2 * 3 * x.size());  // listing all vertices for each takes more than 4 n
     CHECK(dt.audit().delaunay());
     Coordinates<d> above{};
     above[d - 1] = 1.0;
@@ -70,7 +70,7 @@ void check(Strategy strategy) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("A layer that is filled vertex by vertex is not built anew for each of them, dimension",
+TEMPLATE_TEST_CASE_SIG("A layer that is filled vertex by vertex is not rebuilt for each of them, dimension",
                        "[engine][flat]", ((int d), d), 2, 3) {
     for (const Strategy strategy :
          {Strategy::automatic, Strategy::tolerances, Strategy::rebuild, Strategy::tolerances_each}) {
@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE_SIG("Vertices come and go in a hyperplane, and into it and ou
             REQUIRE(verdict.delaunay());
             REQUIRE(dt.triangulation().tds().is_valid());
             REQUIRE(dt.triangulation().dimension() == dt.mesh().dimension());
-            // Mostly flat: what stands out goes.
+            // Mostly flat: removes vertices that are not in the hyperplane.
             if (dt.mesh().dimension() == d && random() % 2 == 0)
                 for (std::size_t k = there.size(); k-- > 0;)
                     if (dt.positions()[static_cast<std::size_t>(dt.index(there[k]))][d - 1] != 0.0) {

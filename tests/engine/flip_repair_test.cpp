@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; what repair
-// costs, and where.
+// Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; the cost of
+// repair, and where it arises.
 #include <annulus/engine/rebuild_policy.h>
 #include <annulus/moving_mesh.h>
 #include <common/program.h>
@@ -42,16 +42,16 @@ void check_cells(const Moving_of<d>& dt) {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the Delaunay triangulation, dimension",
-                       "[mender]", ((int d), d), 2, 3) {
-    // By reach: time steps of `tolerances` in which something was flipped and nothing rebuilt.
+                       "[repair]", ((int d), d), 2, 3) {
+    // By size of steps: the number of time steps of `tolerances` with flips and without a rebuild.
     std::map<double, int> repaired;
     for (const Strategy strategy :
          {Strategy::tolerances, Strategy::automatic, Strategy::tolerances_each, Strategy::in_place})
         for (const std::string_view family : bench::families)
             for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
                 CAPTURE(name_of(strategy), family, spacings);
-                // Of twelve points repair is hardly ever given up: they are rebuilt locally, or flipped, at any
-                // reach.
+                // With twelve points repair is hardly ever given up: cavities are retriangulated, or cells flipped, at
+                // any step size.
                 for (const std::size_t n : {d == 2 ? 70U : 60U, 12U})
                     for_each_seed(1, [&](Random& random) {
                         bench::Scene<d> scene(family, "walk", n, spacings, random());
@@ -70,13 +70,14 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
             }
     for (const double spacings : {0.01, 0.03, 0.1, 0.3, 1.0}) {
         CAPTURE(spacings);
-        CHECK(repaired[spacings] > 0);  // it is repair that was tested
+        CHECK(repaired[spacings] > 0);  // repair was tested
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dimension", "[mender]", ((int d), d), 2,
+TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dimension", "[repair]", ((int d), d), 2,
                        3) {
-    // Of thousands of vertices, hull and all, a handful at which flips are stuck. Calm enough for what repair may cost.
+    // Of thousands of vertices, including the hull, flips are stuck at a handful. The motion is slow enough for the
+    // limit of repair.
     for_each_seed(2, [](Random& random) {
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
         auto dt = moving<d>(scene.points(), Strategy::tolerances);
@@ -85,7 +86,7 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
         for (int step = 0; step < 8; ++step) {
             scene.step();
             const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-            if (report.moves.rebuilt > 0) continue;  // too expensive to repair: one of 400 in 2D
+            if (report.moves.rebuilt > 0) continue;  // above the limit of repair: one of 400 in 2D
             all += report;
             ++repaired;
         }
@@ -98,7 +99,7 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
 }
 
 TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension",
-                       "[mender]", ((int d), d), 2, 3) {
+                       "[repair]", ((int d), d), 2, 3) {
     const auto cost = [](std::size_t n) {
         bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);
         auto dt = moving<d>(scene.points(), Strategy::automatic);
@@ -114,7 +115,7 @@ TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a 
     CHECK(cost(16000) < 1.3 * cost(1000));
 }
 
-TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is mended, dimension", "[mender]",
+TEMPLATE_TEST_CASE_SIG("A step that is clearly too expensive is given up before it is repaired, dimension", "[repair]",
                        ((int d), d), 2, 3) {
     constexpr std::size_t n = 2000;
     bench::Scene<d> slow("uniform", "walk", n, 1e-3, 3);
@@ -134,7 +135,7 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too dear is given up before it is
 
 TEMPLATE_TEST_CASE_SIG(
     "No time step costs more than one and a half rebuilds, whatever the points and the motion, dimension",
-    "[mender][price][deep]", ((int d), d), 2, 3) {
+    "[repair][cost][deep]", ((int d), d), 2, 3) {
     for (const std::string_view family : bench::families)
         for (const std::string_view motion : bench::kinds_of_motion)
             for (const double spacings : {1e-4, 1e-2, 0.1, 1.0}) {
@@ -148,7 +149,7 @@ TEMPLATE_TEST_CASE_SIG(
                         scene.step();
                         const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
                         const double most = 1.5 * Cost_model<d>::insertion * static_cast<double>(n);
-                        // A flip that the repair that gives up was trying.
+                        // A flip by the repair that was given up.
                         const double in_hand = 6.0 * Cost_model<d>::exact;
                         REQUIRE(report.cost < most + in_hand);
                         REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
@@ -158,7 +159,7 @@ TEMPLATE_TEST_CASE_SIG(
             }
 }
 
-TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[mender]") {
+TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[repair]") {
     bench::Scene<3> large("uniform", "walk", 1000, 1.0, 1);
     auto dt = moving<3>(large.points(), Strategy::automatic);
     const auto steps = [&dt](bench::Scene<3>& scene, int n) {
@@ -170,7 +171,7 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[mend
         return all;
     };
     CHECK(steps(large, 12).rebuild_steps == 12);
-    // The same points, quiet: a few time steps later nothing is rebuilt, and tolerances are kept.
+    // The same points at rest: after a few time steps nothing is rebuilt, and tolerances are kept.
     bench::Scene<3> quiet("uniform", "walk", 1000, 1e-5, 1);
     (void)steps(quiet, 2);
     const Move_report settled = steps(quiet, 12);
@@ -181,7 +182,7 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[mend
     CHECK(dt.audit().delaunay());
 }
 
-TEST_CASE("auto is the same run from the same input", "[mender]") {
+TEST_CASE("auto is the same run from the same input", "[repair]") {
     const auto run = [] {
         bench::Scene<3> scene("clusters", "walk", 500, 0.01, 9);
         auto dt = moving<3>(scene.points(), Strategy::automatic);
@@ -200,7 +201,7 @@ TEST_CASE("auto is the same run from the same input", "[mender]") {
 }
 
 TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far, and nothing has changed, dimension",
-                       "[mender]", ((int d), d), 2, 3) {
+                       "[repair]", ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::tolerances, Strategy::automatic})
         for_each_seed(10, [&](Random& random) {
             bench::Scene<d> scene("uniform", "walk", 50, 0.1, random());
@@ -210,7 +211,7 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
             for (Index to = 1; to < 50; ++to) {
                 try {
                     dt.move(0, dt.positions()[static_cast<std::size_t>(to)]);
-                    FAIL("no collision");
+                    FAIL("no duplicate point");
                 } catch (const Error& e) {
                     CHECK(e.code() == Error_code::duplicate_point);
                 }
@@ -222,10 +223,10 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
 }
 
 TEMPLATE_TEST_CASE_SIG(
-    "Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[mender]",
+    "Single moves to anywhere on a small grid leave neither a broken table nor a second border, dimension", "[repair]",
     ((int d), d), 2, 3) {
-    // Degenerate everywhere: flips get stuck, cells are rebuilt beneath the hull, and vertices taken out and put
-    // back.
+    // Degenerate everywhere: flips get stuck, cells below the hull are retriangulated, and vertices removed and
+    // inserted again.
     const auto one = [](Random& random, Strategy strategy) {
         const auto place = [&random] {
             Coordinates<d> p;

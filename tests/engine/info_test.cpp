@@ -52,10 +52,10 @@ TEMPLATE_TEST_CASE("Info stays with its vertex", "[relocation]", Moving_delaunay
                 auto some = std::next(name.begin(), static_cast<std::ptrdiff_t>(random() % name.size()));
                 dt.move(some->first, Coordinates<d>{3.0 + 0.01 * step, 0.5});
                 check();
-                // Some by CGAL's points: named by indices, and in pairs with their handles.
+                // Some insertions by CGAL's points: with indices, and in pairs with their handles.
                 const std::array<Index, 1> which{some->first};
                 dt.move(which, std::vector{point({4.0 + 0.01 * step, 0.5})});
-                (void)dt.triangulation();  // what handles show is brought up to date
+                (void)dt.triangulation();  // updates what handles point to
                 CHECK(handle.at(some->first)->point() == point({4.0 + 0.01 * step, 0.5}));
                 const std::vector pairs{std::pair(handle.at(some->first), point({5.0 + 0.01 * step, 0.5}))};
                 dt.move(pairs.begin(), pairs.end());

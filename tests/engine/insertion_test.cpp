@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices that come and go, one by one, in places that are hard: the cells are those of a construction after each,
-// whoever is asked.
+// Vertices inserted and removed one by one at hard positions: after each call the cells are those of a construction, in
+// both classes.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
@@ -33,7 +33,7 @@ typename Moving_d<d>::Point point_of(const Coordinates<d>& p) {
     else return Cgal_traits_3<No_info>::point(p);
 }
 
-/// Both classes by one name each.
+/// Both classes under one name each.
 template <int d>
 Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p) {
     return mesh.insert(p);
@@ -67,7 +67,7 @@ std::span<const Coordinates<d>> places(const Moving_d<d>& dt) {
     return dt.positions();
 }
 
-/// Cells, sorted, by the places of their corners.
+/// Sorted cells, by the positions of their corners.
 template <int d>
 using Cells_at = std::set<std::set<Coordinates<d>>>;
 template <int d>
@@ -97,8 +97,8 @@ std::string fault_of(const Object& object) {
                : "the cells are not those of a construction";
 }
 
-/// Hard places around a set: one on a vertex, in the middle of two vertices, beyond one of two in their line, the
-/// fourth corner of a parallelogram, far away in the line of an edge, and whole numbers.
+/// Hard positions around a set: on a vertex, in the middle of two vertices, beyond one of two on their line, the fourth
+/// corner of a parallelogram, far away on the line of an edge, and whole numbers.
 template <int d>
 Coordinates<d> hard_place(Random& random, const Points_d<d>& x, int span) {
     Coordinates<d> p{};
@@ -114,7 +114,7 @@ Coordinates<d> hard_place(Random& random, const Points_d<d>& x, int span) {
         else if (kind == 5) p[k] = a[k] + 0x1p-30 * (b[k] - a[k]);
         else p[k] = integer(random, 0, span);
     }
-    // What has gone far stays where whole numbers are exact.
+    // Positions far away are limited to where whole numbers are exact.
     for (double& k : p)
         if (std::fabs(k) > 0x1p44) k = 0.5;
     return p;
@@ -191,8 +191,8 @@ TEMPLATE_TEST_CASE_SIG("Vertices that come to degenerate places, and go, leave t
     }
 }
 
-/// Whole numbers beyond few: landmarks are made, go stale and are made again, and places are duplicates, hull, edges
-/// and centres of cells.
+/// Many points with whole coordinates: landmarks are made, become stale and are made again; positions are duplicates,
+/// on the hull, on edges and at centres of cells.
 TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the cells of a construction, dimension",
                        "[insertion]", ((int d), d), 2, 3) {
     const auto fill = [&]<class Object>(Object& object, std::uint64_t seed) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that go on. A mechanism with a clock was once right for six thousand steps and wrong from then on: short
-// tests see nothing of its kind. tests/soak runs all motions, for as long as one likes.
+// Long motions. A mechanism with a counter was once right for six thousand steps and wrong from then on: short tests do
+// not find such faults. tests/soak runs all motions, for any number of steps.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
@@ -44,7 +44,7 @@ std::string shear(Strategy strategy, std::size_t n, std::uint64_t seed, double r
     return {};
 }
 
-/// What a run in 3D says of itself, in a memory with holes of other sizes for every `mess`.
+/// The results of a run in 3D, with differently fragmented memory for every `mess`.
 std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
     Random sizes(mess);
     std::vector<std::unique_ptr<char[]>> holes;

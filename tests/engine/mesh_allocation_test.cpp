@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory that runs out in a call of Moving_mesh: positions, indices and cells are as they were, and so is what comes
-// after.
+// A call of Moving_mesh that runs out of memory: positions, indices, cells and the results of later calls are
+// unchanged.
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moving_mesh beyond what every program asks of it (fuzz/common/mesh_twin.h): moves of some vertices, spans into
-// itself, objects that are moved, points so few that a region is everything, neighbours. Memory that runs out:
+// Moving_mesh beyond what every program calls (fuzz/common/mesh_twin.h): moves of some vertices, spans into itself,
+// objects that are moved, so few points that a cavity is the whole mesh, neighbours. Out of memory:
 // mesh_allocation_test.cpp.
 #include <annulus/arithmetic/error.h>
 #include <annulus/moving_mesh.h>
@@ -18,7 +18,7 @@ using namespace annulus;
 using namespace annulus::testing;
 
 TEST_CASE("A few points of space whose region is everything are inserted all the same", "[mesh]") {
-    // Found by an attack: the table became smaller than the numbers that the filter had noted.
+    // Found by an attack: the table became smaller than the cell numbers that the strategy had stored.
     for (const Strategy strategy :
          {Strategy::tolerances, Strategy::tolerances_each, Strategy::automatic, Strategy::relocate}) {
         Options options;
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
             Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
             const auto refused = [&](std::size_t k) {
                 try {
-                    (void)mesh.insert(mesh.points()[k]);  // which is about to move, if there is not room for one more
+                    (void)mesh.insert(mesh.points()[k]);  // which moves in memory, if there is no room for one more
                     FAIL("inserted");
                 } catch (const Error& e) {
                     CHECK(e.code() == Error_code::duplicate_point);
@@ -88,7 +88,7 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
                 x.push_back(free);
             }
             mesh.remove(3);
-            x[3] = x[5];  // what is at a free index is nobody's business
+            x[3] = x[5];  // the position at a free index is ignored
             try {
                 (void)mesh.insert(x[7]);
                 FAIL("inserted");
@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE_SIG("An insertion that is refused leaves positions, their num
 TEMPLATE_TEST_CASE_SIG(
     "Some vertices move at once: in cycles, named twice, to the mesh's own points, or not at all, dimension", "[mesh]",
     ((int d), d), 2, 3) {
-    for (const std::size_t copies : {1U, 40U}) {  // few beside the others, and not
+    for (const std::size_t copies : {1U, 40U}) {  // few compared with the others, and many
         Points_d<d> x;
         for (std::size_t k = 0; k < copies; ++k)
             for (auto p : grid<d>()) {
@@ -133,10 +133,10 @@ TEMPLATE_TEST_CASE_SIG(
             CHECK(report.moves.asked == 1);
             CHECK(mesh.points()[0] == last);
             CHECK(mesh.move(std::vector<Index>{}, Points_d<d>{}).moves.asked == 0);
-            // A span into itself, over a place that a vertex is leaving.
+            // A span into itself, over the position of a vertex that moves.
             (void)mesh.move(std::vector<Index>{5, 4}, mesh.points().subspan(4, 2));
             CHECK(mesh.audit().first_fault == "");
-            // Half way a duplicate point: nothing has moved.
+            // A duplicate point half way through the call: no vertex has moved.
             const Points_d<d> here(mesh.points().begin(), mesh.points().end());
             const auto cells = sorted_cells(mesh);
             Coordinates<d> free = x[6];

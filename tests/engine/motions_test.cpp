@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motions that go on and break off: what a filter may have learned to expect never leaves a wrong triangulation,
-// in 2D and in 3D.
+// Steady motions that change suddenly: whatever a strategy has derived from them, it never leaves a wrong
+// triangulation, in 2D and in 3D.
 #include <common/program.h>
 
 #include <support/cases.h>
@@ -48,7 +48,7 @@ std::size_t certificates(const typename Space<d>::Moving& dt) {
 
 TEMPLATE_TEST_CASE_SIG("Steady motion that breaks off never leaves a wrong triangulation, dimension", "[motions]",
                        ((int d), d), 2, 3) {
-    // Everybody goes on; then some turn, stop, or go home, and it goes on.
+    // All vertices move steadily; then some turn, stop, or return to their first positions, and the motion continues.
     using Do = Calls<d>;
     constexpr std::array steady{Motion::drift, Motion::own_ways, Motion::orbits,
                                 Motion::shear, Motion::rotation, Motion::breathing};
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("Steady motion that breaks off never leaves a wrong trian
 
 TEMPLATE_TEST_CASE_SIG("Tolerances given up and taken up again never leave a wrong triangulation, dimension",
                        "[motions]", ((int d), d), 2, 3) {
-    // At rest, far within tolerances, about them, far beyond them, in turns.
+    // In turn: at rest, far within tolerances, about as far as they allow, far beyond them.
     using Do = Calls<d>;
     for (const Setting& setting : filter_settings()) {
         DYNAMIC_SECTION(name_of(setting)) {
@@ -173,7 +173,7 @@ TEMPLATE_TEST_CASE_SIG(
     }
     for (int i = 0; i < 20; ++i) (void)step(1e-9);
     const Move_report slow = step(1e-9);
-    if (!Limits::tiny) {  // expiries of few bits lose what is left of a tolerance
+    if (!Limits::tiny) {  // expiries of few bits lose the rest of a tolerance
         CHECK(slow.evaluated < x.size() / 10);
         CHECK(slow.moves.within_tolerance > x.size() * 9 / 10);
     }

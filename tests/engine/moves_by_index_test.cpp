@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a call that moves some vertices costs, where each of them changes everything: counted in cells looked at,
-// certificates and bytes asked for.
+// The cost of a call that moves some vertices, where each of them changes everything: counted in cells tested,
+// certificates and bytes allocated.
 #include <annulus/engine/cost_model.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
@@ -63,7 +63,7 @@ constexpr std::size_t vertices_of(Scene scene) {
 
 const Strategy certified[] = {Strategy::tolerances, Strategy::automatic, Strategy::tolerances_each, Strategy::in_place};
 
-/// A 64th of all, so that they are moved one by one.
+/// A 64th of all vertices, so that they are moved one by one.
 template <int d>
 void choose(std::span<const Coordinates<d>> x, double pace, Random& random, std::vector<Index>& index,
             std::vector<Coordinates<d>>& goal) {
@@ -117,9 +117,9 @@ void check_cost(Scene scene, double pace) {
     }
 }
 
-/// The one that is moved last goes where one is that does not move.
+/// The target of the last mover is the position of a vertex that does not move.
 template <int d, class Triangulation>
-void check_collision(Scene scene) {
+void check_duplicate_point(Scene scene) {
     for (const Strategy strategy : certified) {
         CAPTURE(d, static_cast<int>(scene), name_of(strategy));
         Random random(4);
@@ -150,7 +150,7 @@ void check_collision(Scene scene) {
             }
             REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
             REQUIRE(dt.audit().delaunay());
-            // And where the one in the way leaves it is none.
+            // If that vertex moves away, it is not a duplicate point.
             Triangulation other(std::span<const Coordinates<d>>(x), options);
             index.push_back(last);
             goal.push_back(x[0]);
@@ -161,7 +161,7 @@ void check_collision(Scene scene) {
     }
 }
 
-/// Some of the points, uniform in the unit box, go so many spacings in a direction drawn: what a call costs a mover.
+/// Some points, uniform in the unit box, move by so many spacings in random directions: the cost of a call per mover.
 template <int d>
 void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spacings) {
     CAPTURE(d, name_of(strategy), n, movers, spacings);
@@ -172,7 +172,7 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
     Options options;
     options.strategy = strategy;
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
-    const double most = movers == 1 ? 3.0 : 2.0;  // one may be more expensive than most
+    const double most = movers == 1 ? 3.0 : 2.0;  // a single one may be more expensive than the average
     const double far = spacings * std::pow(static_cast<double>(n), -1.0 / d);
     for (int call = 0; call < 3; ++call) {
         std::vector<Index> index;
@@ -212,7 +212,7 @@ TEST_CASE("A few vertices that go far are reinserted, and cost about that", "[en
             check_far<3>(strategy, 4000, 1, spacings);
             check_far<3>(strategy, 4000, 30, spacings);
         }
-    // Nothing but what they cost decides whether all is rebuilt: one percent do not.
+    // Only the cost decides whether everything is rebuilt: one percent of movers does not reach it.
     check_far<3>(Strategy::automatic, 20'000, 200, 10.0);
 }
 
@@ -225,10 +225,10 @@ TEMPLATE_TEST_CASE_SIG("Moves by index of points in convex position cost some re
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("Moves by index that turn out too dear collide as others do, dimension", "[engine][moves][deep]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Moves by index that turn out too expensive find duplicate points as others do, dimension",
+                       "[engine][moves][deep]", ((int d), d), 2, 3) {
     for (const Scene scene : {Scene::sphere, Scene::moment_curve}) {
-        check_collision<d, Moving_mesh<d>>(scene);
-        check_collision<d, Delaunay_of<d>>(scene);
+        check_duplicate_point<d, Moving_mesh<d>>(scene);
+        check_duplicate_point<d, Delaunay_of<d>>(scene);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's object is const, its handles are not: what a caller writes through them is found by the audit.
+// CGAL's object is const, its handles are not: the audit finds what a caller writes through them.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
@@ -23,7 +23,7 @@ constexpr std::array strategies{Strategy::automatic,      Strategy::tolerances, 
                                 Strategy::in_place,       Strategy::rebuild,    Strategy::relocate,
                                 Strategy::relocate_flips, Strategy::paper,      Strategy::paper_hybrid};
 
-/// Calls harm(object, a finite cell of CGAL's), and finds that the audit says so.
+/// Calls harm(object, a finite CGAL cell), and checks that the audit reports it.
 template <int d, class Harm>
 void is_found(const char* words, Harm harm) {
     for (const Strategy strategy : strategies) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is refused of options, by both classes; and what they call vertices once indices are free.
+// Options that both classes refuse; and the names of vertices once indices are free.
 
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is built does not depend on the number of threads.
+// A construction does not depend on the number of threads.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -22,7 +22,7 @@ namespace {
 template <int d>
 using Points = std::vector<Coordinates<d>>;
 
-/// More than a run of any kind has, of points and of cells.
+/// More points and cells than a run of any kind has.
 template <int d>
 constexpr std::size_t many = d == 2 ? 30000 : 17000;
 
@@ -35,7 +35,7 @@ Points<d> uniform() {
     return x;
 }
 
-/// Integers, in an order that says nothing: many points have a coordinate in common, and many cells a circumcentre.
+/// Integers in random order: many points share a coordinate, and many cells a circumcentre.
 template <int d>
 Points<d> lattice() {
     const std::size_t side = d == 2 ? 174 : 26;
@@ -53,7 +53,7 @@ Points<d> lattice() {
     return x;
 }
 
-/// Also that the corner which is noted for a vertex is its largest, which no order of runs changes.
+/// Also checks that the corner stored for a vertex is its largest, independently of the order of runs.
 template <int d>
 void say_table(const Corner_table<d>& table, std::vector<std::int64_t>& said) {
     std::vector<Corner_index> largest(static_cast<std::size_t>(table.vertex_bound()));
@@ -71,8 +71,8 @@ void say_table(const Corner_table<d>& table, std::vector<std::int64_t>& said) {
     CHECK(are_noted);
 }
 
-/// Cells, corners, neighbours and tolerances of both classes after construction, and after every vertex has gone
-/// where another was, which is a rebuild.
+/// Cells, corners, neighbours and tolerances of both classes after construction, and after every vertex has moved to
+/// the old position of another, which is a rebuild.
 template <int d>
 std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Strategy strategy, int threads) {
     Options options;

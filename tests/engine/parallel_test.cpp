@@ -16,7 +16,7 @@ using namespace annulus;
 
 namespace {
 
-/// All that reports say, and the cells in the end. Enough cells for several runs of them.
+/// The contents of all reports, and the cells at the end. Enough cells for several runs.
 template <int d>
 std::vector<double> walked(int with, Strategy strategy, double spacings) {
     bench::Scene<d> scene("uniform", "walk", d == 2 ? 12000 : 4000, spacings, 3);

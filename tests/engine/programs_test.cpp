@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole programs of calls on point sets of every family, in 2D and in 3D: after each call the audit, CGAL
-// and a rebuild must agree. What goes wrong is printed as a small program (fuzz/common/shrink.h).
+// Whole programs of calls on point sets of every family, in 2D and in 3D: after each call the audit, CGAL and a rebuild
+// must agree. A failure is printed as a small program (fuzz/common/shrink.h).
 #include <common/operation.h>
 
 #include <support/cases.h>
@@ -27,8 +27,7 @@ class Author {
         pool_ = point_set(set, n_ + n_ / 2 + 3, random_);
     }
 
-    /// Moves between the places of a pool that is used again and again, so that vertices return and meet; motions in
-    /// between.
+    /// Moves between the positions of a pool, so that vertices return and meet; motions in between.
     [[nodiscard]] Program_of<d> program(const Setting& setting, int calls, int steps) {
         Program_of<d> program{setting, {pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(n_)}, {}};
         for (int call = 0; call < calls; ++call) {
@@ -78,7 +77,7 @@ class Author {
         const int most = std::max(1, std::min(steps, number(4) == 0 ? 64 : 9));
         return Do::steady(motion, integer(random_, 1, most), pace, number(1000));
     }
-    /// Legal or not, as it comes.
+    /// Legal or not, at random.
     Operation_of<d> as_written() {
         switch (number(4)) {
             case 0: return Do::insert(place());
@@ -113,7 +112,7 @@ void holds(const Program_of<d>& program) {
     REQUIRE(fault.empty());
 }
 
-/// What the filters can do, all of it.
+/// Covers everything that the strategies can do.
 bool reached_everything(const Coverage& c) {
     const Move_report& r = c.report;
     return r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 && r.moves.reinserted > 0 &&
@@ -272,8 +271,7 @@ TEMPLATE_TEST_CASE_SIG("A failed call leaves everything as it was, with the righ
             for_each_seed(d == 2 ? 40 : 15, [&](Random& random) {
                 const Set_of<d> set = any_set<d>(random);
                 const Points_of<d> points = some_points<d>(set, 2, d == 2 ? 20 : 10, random);
-                // A drift first, so that fixed positions and tolerances are not those of a settled object; a vacancy
-                // later.
+                // A drift first, so that fixed positions and tolerances are not freshly computed; a free index later.
                 Program_of<d> program{setting, points, {}};
                 auto& calls = program.operations;
                 calls.push_back(Calls<d>::move_all(point_set(set, points.size(), random)));
@@ -284,7 +282,7 @@ TEMPLATE_TEST_CASE_SIG("A failed call leaves everything as it was, with the righ
                             Calls<d>::refused(static_cast<Refusal>(why), static_cast<Index>(random() % 1000)));
                 };
                 all();
-                // Back to where another was: the whole time step fails although each vertex alone could go.
+                // Back to where another vertex was: the whole time step fails although each vertex alone could move.
                 Points_of<d> elsewhere = points;
                 elsewhere[0] = elsewhere[1];
                 calls.push_back(Calls<d>::move_all(elsewhere));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two runs have in common, and what calls report, in 2D and in 3D alike.
+// Properties that relate two runs, and the reports of calls, in 2D and in 3D alike.
 #include <common/program.h>
 
 #include <support/cases.h>
@@ -19,7 +19,7 @@ namespace {
 template <int d>
 using Moving_of = typename Space<d>::Moving;
 
-/// Of tolerances that are the same but for rounding, relatively. In expiries of few bits it is coarse.
+/// The relative difference of tolerances that are the same but for rounding. With expiries of few bits it is coarse.
 constexpr double closeness = Limits::tiny ? 0.25 : 0x1p-8;
 
 /// A fault of the session as a failed assertion.
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same
                     std::vector<std::size_t> order(goal.size());
                     std::iota(order.begin(), order.end(), std::size_t{0});
                     shuffle(order, random);
-                    for (int round = 0; round < 2; ++round)  // the second for those whose place was taken
+                    for (int round = 0; round < 2; ++round)  // the second for vertices whose target was occupied
                         for (const std::size_t i : order)
                             one_by_one.apply(Calls<d>::move(static_cast<Index>(i), goal[i]));
                     if (one_by_one.sites() != at_once.sites()) return;
@@ -107,8 +107,8 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                         CHECK(a.evaluated == b.evaluated);
                         CHECK(a.flips == b.flips);
                     } else {
-                        // The order in which CGAL names the cells around a vertex, and so the flips, is that of
-                        // addresses.
+                        // The order in which CGAL lists the cells around a vertex, and so the order of flips, depends
+                        // on addresses.
                         CHECK(a.moves.within_tolerance == b.moves.within_tolerance);
                         one.recompute_tolerances();
                         other.recompute_tolerances();
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, di
                 const Set_of<d> set = any_set<d>(random);
                 const Points_of<d> home = some_points<d>(set, 1, d == 2 ? 25 : 12, random);
                 const std::size_t n = home.size();
-                std::vector<std::size_t> name(n);  // of the i-th in the other order
+                std::vector<std::size_t> name(n);  // index of the i-th in the other order
                 std::iota(name.begin(), name.end(), std::size_t{0});
                 shuffle(name, random);
                 const auto renamed = [&](const Points_of<d>& x) {
@@ -211,13 +211,13 @@ TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that 
                                             std::inserter(cells, cells.end()));
                         return cells;
                     };
-                    // Of a flat set, before or after, everything is listed.
+                    // For a flat set, before or after, everything is listed.
                     const auto flat = [](const Cells_of<d>& cells) {
                         return cells.empty() || cells[0][d] == none || cells[0][0] == none;
                     };
                     const bool all = flat(before) || flat(after);
                     auto came = finite(report.changed), gone = finite(report.gone);
-                    // Where they are compared without their orientation; those that were turned over are in both.
+                    // Compared without orientation: cells that were only reversed are in both lists.
                     if (d == 3 && !all)
                         for (const auto& cell : std::set(came))
                             if (gone.erase(cell) == 1) came.erase(cell);
@@ -246,7 +246,7 @@ TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[
             CHECK(Space<d>::coordinates(v->point()) == points[i]);
         }
         CHECK(dt.audit().delaunay());
-        // Each index is one vertex, from 0 on in the order in which places appear.
+        // Each index is one vertex, from 0 on in the order in which positions first appear.
         Index next = 0;
         for (const Index i : dt.vertex_of_input()) {
             CHECK(i <= next);
@@ -271,7 +271,7 @@ TEMPLATE_TEST_CASE_SIG("A null handle, the vertex at infinity and a stranger nam
     for (const Setting& setting : certified_settings) {
         CAPTURE(name_of(setting));
         Moving dt(corners, options_of(setting));
-        // Of the strangers one has an index that this triangulation has too.
+        // One of the foreign handles has an index that this triangulation has, too.
         for (const auto v : {typename Moving::Vertex_handle(), dt.triangulation().infinite_vertex(), other.vertex(1),
                              other.vertex(d + 1)}) {
             CHECK(code_of([&] { dt.move(v, there); }) == Error_code::unknown_vertex);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The helpers that round on purpose, against rational numbers: each bound is one, to the last bit, and no wider than
-// it says. What they are made of is proved in proofs/coq/float_sums.v and float_displacement.v; the known values are
-// those of the formulas there.
+// The helpers that round in a direction, compared with rational numbers: each result is a bound, to the last bit, and
+// no wider than stated. Their parts are proved in proofs/coq/float_sums.v and float_displacement.v; the known values
+// are those of the formulas there.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -36,7 +36,7 @@ Rational exact_squared_distance(const Coordinates<d>& a, const Coordinates<d>& b
 
 /// The largest double whose square is not above x.
 double root_below(const Rational& x) {
-    // Scaled by 4^k to about 1, or the square of a small number would be 0.
+    // Scaled by 4^k to about 1, because the square of a small number would be 0.
     const long k = (static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2)) -
                     static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2))) /
                    2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shrinker on faults that are made up, and the decoder of the fuzz targets: what it makes is mostly legal, and
-// seeds are what they are called.
+// The shrinker on artificial faults, and the decoder of the fuzz targets: its programs are mostly legal, and seeds are
+// what their names say.
 #include <common/decode.h>
 #include <common/shrink.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tolerance promises in 3D: hand-computed values, the paper's counterexample, and moves just inside.
+// Guarantees of tolerances in 3D: hand-computed values, the paper's counterexample, and moves just inside.
 #include <support/catch.h>
 #include <support/session_3.h>
 
@@ -40,9 +40,9 @@ Options options_of(Strategy strategy, Tolerance_kind kind) {
     return o;
 }
 
-/// Between what the least half width of all that contains each vertex is, in rational numbers: cells, bi-cells,
-/// ridges. The widths of a bi-cell's cells enter where an annulus is wrong-side, and may where the filter cannot tell
-/// (docs/theory.md 2.2).
+/// Bounds of the least half width of all cells, bi-cells and ridges that contain a vertex, in rational numbers. The
+/// widths of a bi-cell's cells count where a partition is on the wrong side, and may count where the filter cannot
+/// decide that (docs/theory.md 2.2).
 struct True_tolerances {
     std::vector<double> least, most;
     explicit True_tolerances(const Moving_delaunay_3& dt)
@@ -81,7 +81,7 @@ struct True_tolerances {
 
 enum class Way { worst, back, any };
 
-/// p, `length` away: where it does most harm, the other way, or anywhere.
+/// p moved by `length`: in the worst direction, the opposite one, or a random one.
 Coordinates<3> shifted(const Coordinates<3>& p, double length, const Coordinates<3>& worst, Way way, Random& random) {
     if (!std::isfinite(length)) return p;
     if (way != Way::any) return stepped(p, worst, way == Way::worst ? length : -length);
@@ -132,7 +132,7 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
                 CHECK(report.flips == 1);
             }
         }
-        // One vertex at a time, and back, for ever right.
+        // One vertex at a time, and back: always right.
         Session_3 session(strategy, spindle(0.01));
         try {
             for (int k = 0; k < 20; ++k)
@@ -162,7 +162,7 @@ TEST_CASE("A settled tolerance in space is never above what its certificates all
                 for (std::size_t i = 0; i < dt.index_bound(); ++i) {
                     const double found = dt.tolerance(dt.vertex(i));
                     RC_ASSERT(found <= truth.most[i] * (1 + 0x1p-52));
-                    // Rounding to subnormal numbers may lose everything.
+                    // Rounding to subnormal numbers may lose all accuracy.
                     RC_ASSERT(found >= 0.998 * truth.least[i] || found < 0x1p-1000);
                 }
             }));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A filter on a triangulation of a few points, whose books are open: tests put numbers there that moves would seldom
-// make.
+// A strategy on a triangulation of a few points, whose private state is accessible: tests write numbers there that
+// moves would seldom produce.
 
 #include <support/arbitrary.h>
 
@@ -43,7 +43,7 @@ inline double rounded_down(const Rational& x) {
     return r;
 }
 
-/// A triangulation of a few points with a filter on it. Point 0 is the origin.
+/// A triangulation of a few points with a strategy on it. Point 0 is the origin.
 template <class Kept>
 struct Session {
     std::vector<Point> points;

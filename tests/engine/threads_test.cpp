@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Const members may run at the same time, and say then what they say alone. ThreadSanitizer sees more than equal
-// results: the target annulus-threads is these tests alone, to be built with it.
+// Const members may run at the same time, with the same results as alone. ThreadSanitizer checks more than equal
+// results: the target annulus-threads has these tests alone, to be built with it.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
@@ -18,7 +18,7 @@ using namespace annulus::testing;
 
 namespace {
 
-/// All that const members say of an object, as numbers.
+/// The results of all const members of an object, as numbers.
 template <class Moving>
 std::vector<double> everything(const Moving& dt) {
     std::vector<double> said;
@@ -49,7 +49,7 @@ std::vector<double> everything(const Moving& dt) {
     say(dt.options().seed);
     say(dt.strategy());
     say(dt.mesh().dimension());
-    // CGAL's own const members that change nothing.
+    // CGAL's const members that change nothing.
     for (auto v = dt.triangulation().finite_vertices_begin(); v != dt.triangulation().finite_vertices_end(); ++v)
         say_point(v->point());
     return said;
@@ -138,7 +138,7 @@ TEST_CASE("Const members of a mesh may run at the same time", "[threads]") {
             said.push_back(static_cast<double>(mesh.cells().vertices.size()));
             said.push_back(mesh.measure().theta_min);
             said.push_back(mesh.audit().delaunay());
-            const std::vector<double> volumes = mesh.voronoi_volumes();  // the first one to ask computes them
+            const std::vector<double> volumes = mesh.voronoi_volumes();  // the first call computes them
             said.insert(said.end(), volumes.begin(), volumes.end());
             return said;
         };

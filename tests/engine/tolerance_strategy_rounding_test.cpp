@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters write down is rounded in the safe direction, to the last bit: path lengths up, expiries and
-// tolerances down. Moves cannot show this, because an expiry is cut to 21 bits and hides the last ones unless it
-// happens to have no others. So these tests put numbers into the filters' books for which rounding to nearest goes the
-// wrong way, and compare with rational numbers.
+// Numbers that the strategies store are rounded in the safe direction, to the last bit: path lengths up, expiries and
+// tolerances down. Moves cannot show this, because an expiry is cut to 21 bits, which hides the last ones. So these
+// tests write numbers into the state of a strategy for which rounding to nearest goes the wrong way, and compare with
+// rational numbers.
 
 #include <engine/strategy_session.h>
 
@@ -21,7 +21,7 @@ using namespace annulus::testing;
 
 namespace {
 
-REVEAL(Odometer, &Tolerance_strategy<2>::displacement_budget_);
+REVEAL(Budget_member, &Tolerance_strategy<2>::displacement_budget_);
 REVEAL(Examination, &Tolerance_strategy<2>::repair_);
 REVEAL(List, &Displacement_budget<2>::list_);
 REVEAL(Expiries, &Displacement_budget<2>::expiries_);
@@ -31,14 +31,14 @@ REVEAL(Rebase, &Displacement_budget<2>::rebase);
 
 struct Strategy_session : Session<Tolerance_strategy<2>> {
     explicit Strategy_session(Random& random) : Session(random, Strategy::tolerances) {}
-    [[nodiscard]] Displacement_budget<2>& odometers() { return Session::operator[](Odometer{}); }
+    [[nodiscard]] Displacement_budget<2>& displacement_budget() { return Session::operator[](Budget_member{}); }
     template <class Name>
     auto& operator[](Name) {
-        return odometers().*member(Name{});
+        return displacement_budget().*member(Name{});
     }
     template <class Name, class... Arguments>
     auto call(Name, Arguments&&... arguments) {
-        return (odometers().*member(Name{}))(std::forward<Arguments>(arguments)...);
+        return (displacement_budget().*member(Name{}))(std::forward<Arguments>(arguments)...);
     }
     [[nodiscard]] Certificate_checker<2>& examination() { return Session::operator[](Examination{}).checker(); }
 };
@@ -83,16 +83,16 @@ TEST_CASE("What a vertex may move, and what passes, is below earliest expiry les
             const double span = std::ldexp(1.0 + unit(random), -integer(random, 0, 40));
             list.put_new(0, Expiry::lower(random() % 8 == 0 ? list.base : list.base + span));
             const Rational room = Rational(list.earliest().path_length()) - Rational(list.base);
-            const double tolerance = s.odometers().slack(v);
+            const double tolerance = s.displacement_budget().slack(v);
             RC_ASSERT(Rational(tolerance) <= room || tolerance <= 0.0);
             s.call(Set_threshold{}, v);
-            // Just as far as there is room, and so little that its square is 0.
+            // Exactly as far as the budget allows, and so little that the square is 0.
             const Point f = s.strategy.fixed_position(v);
             const double reach = room > 0 ? rounded_down(room) : 0x1p-600;
             const double angle = between(random, 0.0, 6.3);
             for (const Point& p : {Point{f[0] + reach * std::cos(angle), f[1] + reach * std::sin(angle)},
                                    Point{f[0] + reach, f[1]}, Point{f[0] + 0x1p-600, f[1]}}) {
-                if (p == f || !s.odometers().passes(v, p)) continue;
+                if (p == f || !s.displacement_budget().passes(v, p)) continue;
                 RC_ASSERT(room > 0);
                 RC_ASSERT(exact_squared_distance(p, f) < room * room);
             }
@@ -108,7 +108,7 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
         s.strategy.refresh(cells, s.report);
         std::vector<double> tolerances;
         for (const auto& e : s.examination().facets())
-            if (e.kind != Facet_kind::nothing) tolerances.push_back(e.verdict.tolerance);
+            if (e.kind != Facet_kind::nothing) tolerances.push_back(e.value.tolerance);
         for (int i = 0; i < 20; ++i) {
             for (auto& list : s[List{}]) {
                 const double tolerance = tolerances[random() % tolerances.size()];
@@ -123,13 +123,13 @@ TEST_CASE("An expiry is not above base plus tolerance", "[relocation][rounding]"
                 if (e.kind == Facet_kind::nothing) continue;
                 for (const auto& [v, label] : e.point)
                     if (v != none)
-                        check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.verdict.tolerance);
+                        check(v, std::as_const(s[Expiries{}]).of_facet(s.mesh.table(), e.id, v), e.value.tolerance);
             }
             for (const auto& e : s.examination().cells()) {
                 if (e.kind == Facet_kind::nothing) continue;
                 for (std::size_t k = 0; k < e.point.size(); ++k)
                     check(e.point[k].vertex, s[Expiries{}].of_cell(Corner_table<2>::corner(e.id, static_cast<int>(k))),
-                          e.verdict.tolerance);
+                          e.value.tolerance);
             }
         }
     }));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tolerance promises: never above the truth, not far below it, and moves inside it change nothing.
+// Guarantees of tolerances: never above the truth, not far below it, and moves inside it change nothing.
 #include "../../fuzz/common/program.h"
 
 #include <rapidcheck.h>
@@ -29,22 +29,23 @@ void without_fault(Body body) {
     }
 }
 
-/// A point at most `share` of r from p: toward or away from `target` for kind 0 and 1, else in a random direction.
+/// A point at distance `share` times r from p at most: towards or away from `target` for kinds 0 and 1, else in a
+/// random direction.
 Position shifted(const Position& p, double r, double share, const Position& target, int kind, Random& random) {
     double angle = between(random, 0.0, 6.283185307179586);
     if (kind < 2) angle = std::atan2(target[1] - p[1], target[0] - p[0]) + (kind == 1 ? 3.141592653589793 : 0.0);
     const double step = share * r;
     Position q{p[0] + step * std::cos(angle), p[1] + step * std::sin(angle)};
     if (std::fabs(q[0]) > 0x1p500 || std::fabs(q[1]) > 0x1p500) return p;
-    // Far from the origin the sum rounds to a point farther away than asked: stay home then.
+    // Far from the origin the sum may round to a point farther away than requested: use p then.
     const mpq_class dx = mpq_class(q[0]) - mpq_class(p[0]);
     const mpq_class dy = mpq_class(q[1]) - mpq_class(p[1]);
     const mpq_class reach = mpq_class(r) * mpq_class(0.99995);
     return share >= 1.0 || dx * dx + dy * dy < reach * reach ? q : p;
 }
 
-/// Where a move of v does most harm: in the tightest annulus of v, the inner points go outward and the outer ones
-/// inward; the own position where a vertex has none.
+/// The worst target of v: in the tightest annulus of v, inner points move outward and outer ones inward; its own
+/// position where a vertex has no annulus.
 std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
     const auto& tr = dt.triangulation();
     const auto at = [](Index i) { return static_cast<std::size_t>(i); };
@@ -87,8 +88,8 @@ std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
     return std::set<Position>(x.begin(), x.end()).size() == x.size();
 }
 
-/// One time step, applied and checked: vertex i goes from x[i] to step(i, its worst target). False, with nothing
-/// changed, when two would meet.
+/// One time step, applied and checked: vertex i moves from x[i] to step(i, its worst target). False, with nothing
+/// changed, when two would be duplicate points.
 template <class Step>
 bool drift(Session& session, std::vector<Position>& x, Step step) {
     const auto target = worst_targets(session.dt());
@@ -111,7 +112,7 @@ Position from_fixed(Session& session, std::size_t i, double share, const Positio
 constexpr Setting tolerance_setting{Strategy::tolerances};
 constexpr Setting tolerances_each{Strategy::tolerances_each};
 
-/// sum of D^2 must be a normal number for the comparison of squares to be exact enough to promise anything.
+/// sum of D^2 must be a normal number for the comparison of squares to be accurate enough for any guarantee.
 bool squares_underflow(Family family) {
     return family == Family::subnormal || family == Family::mixture || family == Family::tiny;
 }
@@ -126,11 +127,11 @@ TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of 
                 const auto set = *point_set_case(0, 30);
                 without_fault([&] {
                     Session session(Program{setting, set.points, {}});
-                    session.check_settled_tolerances();
+                    session.check_recomputed_tolerances();
                     Random random(set.seed + 1);
                     session.apply(move_all(annulus::testing::point_set(set.family, set.points.size(), random)));
                     session.apply(recompute_tolerances());
-                    session.check_settled_tolerances();
+                    session.check_recomputed_tolerances();
                 });
             }));
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tolerances-each gives tolerances up while they do not pay, and takes them up again; it is Delaunay all the while.
+// tolerances-each drops tolerances while they do not pay, and computes them again later; the triangulation is always
+// Delaunay.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -24,7 +25,7 @@ std::vector<Coordinates<Moving::d>> points_of(std::size_t n, Random& random) {
     return x;
 }
 
-/// A time step in which every vertex goes somewhere within `way`.
+/// A time step in which every vertex moves by at most `way` in a random direction.
 template <class Moving>
 Move_report shake(Moving& dt, double way, Random& random) {
     std::vector<Coordinates<Moving::d>> x(dt.positions().begin(), dt.positions().end());
@@ -49,7 +50,7 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
         REQUIRE(audit.delaunay());
     };
     for (int round = 2 - repeats(2); round < 2; ++round) {
-        // Fast: within a few time steps nobody passes any more, because there is nothing to pass.
+        // Fast: after a few time steps no vertex passes the step test any more, because there are no tolerances.
         Move_report report;
         for (int step = 0; step < 25; ++step) {
             report = shake(dt, 0.1, random);
@@ -58,7 +59,7 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
         }
         CHECK(report.moves.within_tolerance == 0);
         CHECK(report.star_walks == 0);
-        // Who rests passes all the same.
+        // A resting vertex still passes.
         report = shake(dt, 0.0, random);
         CHECK(report.moves.within_tolerance == n);
         // Calls of other kinds meanwhile.
@@ -78,7 +79,7 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
             dt.remove(w);
             check();
         }
-        // Slow: they are taken up again.
+        // Slow: tolerances are computed again.
         for (int step = 0; step < 25; ++step) {
             report = shake(dt, 1e-9, random);
             check();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's triangulation is a copy of the mesh that is brought up to date when it is asked for.
+// CGAL's triangulation is a copy of the mesh that is updated on request.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
@@ -37,7 +37,7 @@ auto cgal_point(const Coordinates<d>& p) {
     return std::apply([](auto... c) { return typename Labelled<d>::Point(c...); }, p);
 }
 
-/// The object at hand is the mesh, corner by corner (audit), and what CGAL takes for a triangulation.
+/// Checks that the object is the mesh, corner by corner (audit), and a valid triangulation for CGAL.
 template <int d>
 void check_view(const Labelled<d>& dt) {
     const Audit_result verdict = dt.audit();
@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE_SIG("CGAL's triangulation is the mesh, however much has chang
                            : round % 3 == 1 ? Strategy::automatic
                                             : Strategy::relocate;
         Labelled<d> dt(options);
-        std::map<int, typename Labelled<d>::Vertex_handle> handle;  // by label, which goes with the vertex
+        std::map<int, typename Labelled<d>::Vertex_handle> handle;  // by label, which stays with the vertex
         int labels = 0;
         for (int change = 0; change < 60; ++change) {
             CAPTURE(round, change);

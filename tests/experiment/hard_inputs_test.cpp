@@ -17,7 +17,7 @@ namespace {
 
 using Met = std::vector<Hard_input>;
 
-/// Few different points, so that one set of points is met often, in several orders and with several keys.
+/// Few different points, so that the same set of points occurs often, in several orders and with several keys.
 Met some_inputs(std::mt19937_64& random) {
     Met met(random() % 60);
     for (Hard_input& input : met) {
@@ -31,7 +31,7 @@ Met some_inputs(std::mt19937_64& random) {
     return met;
 }
 
-/// Of each set of points the hardest, of these the hardest ones: by sorting everything.
+/// The hardest input of each set of points, and the hardest of these: by sorting everything.
 Met expected(Met met, std::size_t most) {
     std::sort(met.begin(), met.end());
     std::set<std::multiset<std::pair<double, double>>> seen;
@@ -63,7 +63,7 @@ TEST_CASE("The hardest inputs kept are those that sorting all of them finds, in 
         REQUIRE(whole.size() == expected(met, most).size());
         std::shuffle(met.begin(), met.end(), random);
         REQUIRE(of(met, most).json() == whole);
-        // Divided, merged; and what a merge says it has kept is enough to merge elsewhere.
+        // Divided and merged; merging only the inputs that a merge reports as kept gives the same.
         const auto cut = met.begin() + static_cast<std::ptrdiff_t>(met.empty() ? 0 : random() % met.size());
         Hard_inputs merged = of(Met(met.begin(), cut), most), journal = of(Met(met.begin(), cut), most);
         journal.merge(merged.merge(of(Met(cut, met.end()), most)));

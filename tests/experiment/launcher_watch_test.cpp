@@ -14,8 +14,9 @@
 namespace annulus {
 namespace {
 
-/// A process starts another one, which says who it is, has a watch or none, and would then wait for ever. Does the
-/// second end with the first, which is told to go? It holds the end of a pipe: where it has ended nobody does.
+/// A process starts another one, which writes its process id, has a watch or none, and then waits for ever. Returns
+/// whether the second ends with the first, which is terminated. The second holds the end of a pipe, which closes when
+/// it has ended.
 bool ends_with_its_launcher(bool watched) {
     std::array<int, 2> alive{}, go{};
     if (::pipe(alive.data()) != 0 || ::pipe(go.data()) != 0) return false;
@@ -42,7 +43,7 @@ bool ends_with_its_launcher(bool watched) {
     const bool stays = ::poll(&end, 1, 300) == 0;  // while its launcher is there
     ::close(go[1]);
     ::waitpid(launcher, nullptr, 0);
-    // A tenth of a second is enough where a processor is free. What does not happen is waited for a while only.
+    // A tenth of a second is enough where a processor is free. The test waits only a limited time.
     const bool ended = ::poll(&end, 1, watched ? 1'800'000 : 500) == 1;
     if (runs && !ended) ::kill(rank, SIGKILL);
     ::close(alive[0]);

@@ -52,7 +52,7 @@ TEST_CASE("A schedule hands out every trial once, and no machine has more than i
             for (const std::size_t trial : on[machine]) bytes += trials[trial].bytes;
             REQUIRE((bytes <= 120 || on[machine].size() == 1));
             REQUIRE(schedule.running() == running.size());
-            // An empty machine has room for anything.
+            // An idle machine accepts any trial.
             if (jobs.empty() && on[machine].empty()) REQUIRE(schedule.empty());
         }
         REQUIRE(times == std::vector<int>(trials.size(), 1));

@@ -13,7 +13,7 @@ using namespace annulus;
 
 namespace {
 
-/// Some of the names, so that a sum has to cope with what is not everywhere.
+/// Some of the names, so that a sum has entries that not all tallies have.
 Tally some_tally(std::mt19937_64& random) {
     Tally t;
     for (const char* name : {"bicells.total", "bicells.zero", "vertices"})

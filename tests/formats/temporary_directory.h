@@ -14,7 +14,7 @@
 
 namespace annulus_test {
 
-/// An empty directory of its own for one test, gone at the end of it.
+/// An empty directory for one test, removed at its end.
 class Temporary_directory {
   public:
     Temporary_directory() {
@@ -38,7 +38,7 @@ class Temporary_directory {
         return path;
     }
 
-    /// Number of entries, hidden ones too.
+    /// The number of entries, including hidden ones.
     [[nodiscard]] std::size_t entries() const {
         return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
     }

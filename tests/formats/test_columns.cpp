@@ -63,14 +63,14 @@ TEST_CASE("xyz: after a count the first column is stepped over if it is an eleme
         INFO(lead);
         const std::string row = std::string(lead) + " 0.25 0.125 -1.5\n";
         refuse("1\n\n" + row, 3, std::string(lead) == "+6" ? "" : "which is no element");
-        refuse("2\n\n6 0.25 0.125 -1.5\n" + row, 4, "");  // every row is looked at
+        refuse("2\n\n6 0.25 0.125 -1.5\n" + row, 4, "");  // every row is checked
     }
     refuse("2\n\nC 0 0 0.5\n6 0 0 0.5\n", 4, "begins with '6', where rows above begin with the name of an element");
     refuse("2\n\n6 0 0 0.5\nC 0 0 0.5\n", 4, "begins with 'C', which is no element");
     // Four integers may be x y z charge, and the first of them no element.
     refuse("2\n\n1 0 0 -1\n2 0 0 1\n", 3, "has 4 columns of integers: the first may be x or an element");
     CHECK(points("2\n\n1 0 0 -1.0\n2 0 0 1.0\n") == Points_3{{0, 0, -1}, {0, 0, 1}});
-    // It is said, since x y z charge looks the same where every x is such a number.
+    // A note says so, since x y z charge looks the same where every x is such a number.
     const Temporary_directory directory;
     const auto notes = read_points<3>(directory.file("a.xyz", two + "6 0.5 0.25 1\n8 1.5 0.25 2\n")).notes;
     REQUIRE(notes.size() == 1);
@@ -87,7 +87,7 @@ TEST_CASE("xyz: numbers beyond x, y and z are passed over only where x is no id 
     CHECK(points("2\n\nC 0 0 0 1\nC 1 0 0 -1\n") ==
           Points_3{{0, 0, 0}, {1, 0, 0}});  // as all write elements and charges
     CHECK(points("2\n\nC 1 0.5 0.5\nC 2 1.5 0.5\n") == Points_3{{1, 0.5, 0.5}, {2, 1.5, 0.5}});
-    // What is announced needs no guess.
+    // Announced columns need no guess.
     CHECK(points("2\nProperties=id:I:1:pos:R:3\n1 0.5 0.25 1\n2 1.5 0.25 2\n") ==
           Points_3{{0.5, 0.25, 1}, {1.5, 0.25, 2}});
     CHECK(points("1\nProperties=pos:R:3:charge:R:1\n0.5 0.25 1 -1.5\n") == Points_3{{0.5, 0.25, 1}});

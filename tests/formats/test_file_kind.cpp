@@ -30,7 +30,7 @@ using annulus_test::Temporary_directory;
 
 namespace {
 
-/// Every character in `width` bytes, its own the first of them or the last; all ASCII.
+/// Every character in `width` bytes, the ASCII byte first or last.
 std::string widened(const std::string& text, std::size_t width, bool first) {
     std::string out;
     for (const char c : text) {
@@ -41,7 +41,7 @@ std::string widened(const std::string& text, std::size_t width, bool first) {
     return out;
 }
 
-/// Reads a file by what its extension names.
+/// Reads a file with the reader of its extension.
 void read_any(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     if (extension == ".png" || extension == ".pgm") (void)read_gray_image(file);
@@ -154,7 +154,7 @@ TEST_CASE("a device is no file, and what has no end is not held in memory", "[io
     expect_fault(file, 0, "has more than 999 bytes", [](const auto& f) { (void)load_file(f, 999); });
     expect_fault(directory.file("b.toml", gzip(std::string(1000, '#'))), 0, "has more than 999 bytes",
                  [](const auto& f) { (void)load_file(f, 999); });
-    // Of a pipe nothing is known beforehand.
+    // The size of a pipe is not known beforehand.
     const auto pipe = directory.path() / "pipe";
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
     const int end = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
@@ -162,7 +162,7 @@ TEST_CASE("a device is no file, and what has no end is not held in memory", "[io
     const std::string text(1000, '#');
     CHECK(::write(end, text.data(), text.size()) == 1000);
     expect_fault(pipe, 0, "has more than 999 bytes", [](const auto& f) { (void)load_file(f, 999); });
-    // What load_file goes by where nothing is said: a GiB of a pipe, which no test reads, and all of a file.
+    // Defaults of load_file: a GiB of a pipe, which no test reads, and all of a file.
     constexpr std::uint64_t gib = 1'073'741'824, all = std::numeric_limits<std::uint64_t>::max();
     CHECK(bound_of(File_bytes(pipe), all) == gib);
     CHECK(bound_of(File_bytes(pipe), gib + 1) == gib);

@@ -92,7 +92,7 @@ TEST_CASE("quantiles interpolate between order statistics") {
 
 TEST_CASE("the peak of memory grows with what is touched") {
     const std::uint64_t before = peak_resident_memory();
-    if (before == 0) return;  // a system that does not say
+    if (before == 0) return;  // the system does not report it
     std::vector<char> block(64u << 20, 'x');
     CHECK(block[block.size() / 2] == 'x');
     CHECK(peak_resident_memory() >= (60u << 20));

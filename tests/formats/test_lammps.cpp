@@ -72,7 +72,7 @@ TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped,
     CHECK(first(upright, "xs ys zs xu yu zu", "9 9 9 1 2 3") == Coordinates<3>{1, 2, 3});
     CHECK(first(upright, "xs ys zs", "0.5 0 1") == Coordinates<3>{5, -5, 4});
     CHECK(first(upright, "xsu ysu zsu", "2 0 -1") == Coordinates<3>{20, -5, 0});
-    // x without y is no position.
+    // x without y is not a position.
     CHECK(first(upright, "x xu yu zu", "9 1 2 3") == Coordinates<3>{1, 2, 3});
     // Edges (10, 0, 0), (2, 10, 0) and (-3, 1, 10) from the corner (0, 0, 0): the box around it begins at -3.
     const std::string oblique = "xy xz yz pp pp pp\n-3 12 2\n0 11 -3\n0 10 1\n";
@@ -117,7 +117,7 @@ TEST_CASE("LAMMPS: a periodic box is refused, or announced and not obeyed", "[io
         CHECK(notes[0].find("ignored") != std::string::npos);
     }
     CHECK(accept(frame("0", "ff ss mm\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1")).notes.empty());
-    // What would unwrap them is not used, and that is said.
+    // Columns that would unwrap them are not used, and a note says so.
     const auto both = accept(frame("0", upright, "x y ix iy xu yu", "0 0 0 0 0 0", "1 1 0 0 1 1")).notes;
     REQUIRE(both.size() == 1);
     CHECK(both[0].find("not used: ix iy xu yu; positions are as written") != std::string::npos);

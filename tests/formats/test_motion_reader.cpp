@@ -26,7 +26,7 @@ using annulus_test::Temporary_directory;
 
 namespace {
 
-/// The frames of a file, one after the other as they are asked for, and what its reader says on the way.
+/// The frames of a file, read one after the other, and the state of its reader on the way.
 std::vector<Frame> all_of(const std::filesystem::path& file, const Motion_options& options = {}) {
     Motion_reader reader(file, options);
     std::vector<Frame> frames;
@@ -130,7 +130,7 @@ TEST_CASE("frames that came before a fault are there", "[io][motion]") {
 TEST_CASE("the distance of frames is that of the first two where a file is read once", "[io][motion]") {
     const Temporary_directory directory;
     const std::string text = "frame,id,x,y\n0,1,0,0\n4,1,1,0\n6,1,2,0\n8,1,3,0\n";
-    // A file is read twice, and knows that 2 is absent.
+    // A file is read twice, so that the reader finds that 2 is absent.
     CHECK(all_of(directory.file("a.csv", text), {.absent = Absent_frames::empty}).size() == 5);
     // The frame that waits behind an empty one may be the last.
     CHECK(all_of(directory.file("b.csv", "frame,id,x,y\n0,1,0,0\n1,1,1,0\n3,1,2,0\n"), {.absent = Absent_frames::empty})

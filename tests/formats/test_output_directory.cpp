@@ -66,7 +66,7 @@ TEST_CASE("nothing is to be seen before the commit, everything after it", "[io][
     CHECK(content_of(path / "b.csv") == std::string("x\0y\n", 4));
     CHECK(entries(path) == 2);
     CHECK(entries(path.parent_path().parent_path()) == 1);
-    // What nobody else could enter while it was written has the usual permissions now.
+    // The directory, which was private while it was written, has the usual permissions now.
     const mode_t mask = ::umask(0);
     ::umask(mask);
     CHECK(fs::status(path).permissions() == fs::perms(0777 & ~mask));
@@ -93,7 +93,7 @@ TEST_CASE("runs that begin and end below the same missing directory do not distu
             } catch (const std::exception& error) {
                 said = error.what();
             }
-            std::error_code ignored;  // one that found the parents does not take them away
+            std::error_code ignored;  // a run that found the parents does not remove them
             fs::remove(parent, ignored);
             fs::remove(parent.parent_path(), ignored);
         }
@@ -176,7 +176,7 @@ TEST_CASE("what goes last is there until all that replaces it is", "[io][output]
     {
         Output_directory out(directory.path(), is_result, true);
         out.write("a", "new");
-        (void)out.path_of("b");  // nobody writes it: putting it in its place fails
+        (void)out.path_of("b");  // it is never written: putting it in its place fails
         out.goes_last("j");
         CHECK_THROWS_AS(out.commit(), std::system_error);
     }
@@ -237,7 +237,7 @@ TEST_CASE("what a run that was killed has left in a directory does not make it a
     const Temporary_directory directory;
     fs::create_directory(directory.path() / ".annulus-Ab12Cd");
     CHECK(refusal(directory.path()) == "");
-    // What only begins like that is somebody's.
+    // A name that only begins like that belongs to another program.
     for (const char* name : {".annulus-x", ".annulus-Ab12Cd"}) {
         fs::create_directories(directory.path() / name);
         directory.file(std::string(name) + "/precious", "1");
@@ -287,7 +287,7 @@ TEST_CASE("paths and names that cannot be are refused", "[io][output]") {
         CHECK(std::string(error.what()).starts_with((directory.path() / "out" / "aaa").string()));
     }
     out.write("good", "x");
-    out.commit();  // what could not be written is not half there
+    out.commit();  // a file that could not be written is not there in part
     CHECK(entries(directory.path() / "out") == 1);
 }
 
@@ -332,7 +332,7 @@ TEST_CASE("files written bit by bit elsewhere are taken over", "[io][output]") {
     CHECK(entries(at) == 3);
     CHECK(content_of(at / "a") == "bit by bit");
     CHECK(content_of(at / "b") == "at once");
-    // What is taken where something of that name is, is refused, and nothing is lost on either side.
+    // Taking over a file where one of that name exists is refused, and nothing is lost on either side.
     Output_directory first(directory.path() / "other", is_result, false),
         second(directory.path() / "other", is_result, false);
     first.write("a", "first");
@@ -378,7 +378,7 @@ TEST_CASE("devices, pipes and sockets are replaced by no file, nor are links to 
         CHECK(content_of(path) == "new");
     }
     CHECK(content_of(directory.path() / "file") == "old");
-    // One that comes while the text is written stays.
+    // A pipe made while the text is written stays.
     const auto late = directory.path() / "late";
     Text_output out(late);
     REQUIRE(::mkfifo(late.c_str(), 0600) == 0);

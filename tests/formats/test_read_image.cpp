@@ -89,7 +89,8 @@ TEST_CASE("images that are not what they say are refused", "[io][image]") {
 }
 
 TEST_CASE("nothing is unpacked beyond what the header announces", "[io][image]") {
-    // The checksum at the end is wrong: who unpacks all of it sees that, who stops where he should does not.
+    // The checksum at the end is wrong: a reader that unpacks all of the file would report that, one that stops at the
+    // announced length does not.
     std::string bomb = gzip(inr(fields, data) + std::string(1 << 22, '\0'));
     bomb[bomb.size() - 6] = static_cast<char>(bomb[bomb.size() - 6] ^ 1);
     refuse("bomb.inr.gz", bomb, last(inr(fields, data)), "more than 12 bytes after its header");

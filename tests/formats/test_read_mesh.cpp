@@ -51,7 +51,7 @@ TEST_CASE("edges are the cells of points on a line, written and read") {
     const auto mesh = std::get<Mesh_file<2>>(read_mesh(directory.file("a.mesh", text)));
     CHECK(mesh.cells == edges);
     CHECK(mesh.cell_lines == std::vector<std::uint64_t>{12, 13});
-    // Beside triangles they are what other programs mark the border with.
+    // With triangles they are the border edges that other programs write.
     const auto solid = std::get<Mesh_file<2>>(
         read_mesh(directory.file("b.mesh",
                                  "MeshVersionFormatted 2\nDimension 2\nVertices\n3\n0 0 0\n1 0 0\n0 1 0\n"

@@ -84,7 +84,7 @@ TEST_CASE("ply: binary of both byte orders, every part of every record") {
         CHECK(accept(binary_file(big_endian)) == Points_3{{-1, 2.5, 3e-320}, {4, 5, 6}});
         const std::string whole = binary_file(big_endian);
         const std::size_t header = whole.find("end_header\n") + 11;
-        // Wherever it is cut, the fault is told at a record, and no cut is taken for a shorter file.
+        // Wherever it is cut, the fault is reported at a record, and no cut file is read as a shorter one.
         for (std::size_t size = header; size < whole.size(); ++size) {
             const Temporary_directory directory;
             const auto file = directory.file("a.ply", whole.substr(0, size));

@@ -123,7 +123,7 @@ TEST_CASE("what gzip packed is read in every format, damaged or cut off it is re
     const auto many = accept<2>("a.xyz.gz", gzip(long_text.substr(0, 100'000)) + gzip(long_text.substr(100'000)));
     REQUIRE(many.points.size() == 40'000);
     CHECK(many.points.back() == Coordinates<2>{39'999, 39'999 * 7919 % 40'000});
-    // What is packed has lines, too: a fault is in the first that is not whole.
+    // Packed content has lines, too: a fault is reported at the first incomplete one.
     const std::string packed = gzip(long_text);
     try {
         read(directory.file("a.xyz.gz", packed.substr(0, packed.size() / 2)));
@@ -148,7 +148,7 @@ TEST_CASE("a small file that unpacks without end is refused before it fills the 
     std::string bomb;
     const std::string member = gzip(std::string(1 << 20, '\n'));
     for (int i = 0; i < 100; ++i) bomb += member;
-    bomb.back() ^= 1;  // not looked at
+    bomb.back() ^= 1;  // not checked
     refuse<2>("a.off.gz", bomb, 0, "more than 100 times its size");
     const Temporary_directory directory;
     try {

@@ -62,7 +62,7 @@ TEST_CASE("points of a tetrahedral mesh are used, and at different places") {
     const auto halves = read(text(four + "1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n", 8, "1 2 3 4 0\n5 6 7 8 0\n", 2));
     CHECK(halves.merged == 3);
     CHECK(halves.boundary.triangles.size() == 6);
-    // A mesh of which only the interior vertex is of no triangle.
+    // A mesh in which only the interior vertex is in no triangle.
     const auto star = read(text(four + "0.2 0.2 0.2 0\n", 5, "1 2 3 5 0\n1 3 4 5 0\n1 4 2 5 0\n2 4 3 5 0\n", 4));
     CHECK(star.points.size() == 5);
     CHECK(star.surface().points.size() == 4);

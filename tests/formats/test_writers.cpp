@@ -206,7 +206,7 @@ TEST_CASE("iterations.csv has a row for each step and empty cells for what was n
     CHECK(write_csv(iterations_table(run)) ==
           "iteration,seconds_triangulation,seconds_motion,seconds_cumulative,displacement_mean,displacement_max,"
           "tolerance_mean,annulus_width_mean,theta_min,asked,within_tolerance,kept_in_place,flipped,reinserted,"
-          "rebuilt,tolerances,interval,exact,certificates_evaluated,flips\n"
+          "rebuilt,filter,interval,exact,certificates_evaluated,flips\n"
           "1,0.5,0.25,0.5,0.125,2,,,,10,5,4,3,2,1,0,0,0,77,8\n"
           "2,0.5,0.25,0.5,0.125,2,0.1,,1e-09,10,5,4,3,2,1,0,0,0,77,8\n");
 }

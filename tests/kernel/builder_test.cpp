@@ -10,7 +10,7 @@
 #include <support/repeats.h>
 #include <support/small_sets.h>
 
-#include "common/cgal_cells.h"
+#include <common/cgal_cells.h>
 
 #include "../../bench/motions/families.h"
 
@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE_SIG("The kernel names two points at one place, dimension", "[
         CHECK(e.code() == Error_code::duplicate_point);
         CHECK(std::vector(e.vertices().begin(), e.vertices().end()) == std::vector<std::int64_t>{17, 120});
     }
-    check<d>(builder, good);  // its buffers are none the worse
+    check<d>(builder, good);  // its buffers are intact
 }
 
 TEMPLATE_TEST_CASE_SIG("The kernel's cells have the same numbers with any number of threads, dimension", "[kernel]",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spheres of four cells at a time are those of one cell, bit for bit, in and out of the range of their bounds.
+// Spheres computed for four cells at a time equal those of single cells, bit for bit, in and out of the range of their
+// bounds.
 #include <annulus/kernel/cached_spheres.h>
 
 #include <support/catch.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh that is inserted into, removed from, moved and rebuilt has the cells of CGAL's triangulation: what
-// fuzz/builds.cpp does, of random bytes.
+// After insertions, removals, moves and rebuilds a mesh has the cells of CGAL's triangulation: the program of
+// fuzz/builds.cpp on random bytes.
 #include <support/catch.h>
 #include <support/generators.h>
 #include <support/repeats.h>
 
-#include "common/cgal_cells.h"
-#include "common/mesh_case.h"
+#include <common/cgal_cells.h>
+#include <common/mesh_case.h>
 
 using namespace annulus;
 using namespace annulus::testing;

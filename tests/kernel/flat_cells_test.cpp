@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points on a line or in a plane of space: the cells that CGAL has for them.
+// Points on a line or in a plane in 3D: the cells are those of CGAL.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -81,7 +81,7 @@ void check_plane(const std::vector<Coordinates<3>>& x) {
 TEST_CASE("Points in a plane of space have CGAL's triangles, whatever the plane and however degenerate",
           "[kernel][flat]") {
     Random random(run_seed());
-    // u, v -> a plane whose points are doubles whatever small multiples of a power of two u and v are.
+    // u, v -> a plane whose points are doubles for all small multiples u, v of a power of two.
     const std::vector<std::array<std::array<double, 3>, 2>> planes{
         {{{1, 0, 0}, {0, 1, 0}}},  {{{0, 1, 0}, {0, 0, 1}}},  {{{0, 0, 1}, {1, 0, 0}}},
         {{{1, 0, 1}, {0, 1, -2}}}, {{{3, 1, 2}, {-1, 5, 4}}}, {{{1, 1, 1}, {1, -1, 0}}}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel's integers against GMP: products of all widths, signs of points on grids of any fineness, degenerate or
-// nearly.
+// The kernel's integers compared with GMP: products of all widths, signs of points on grids of any fineness, degenerate
+// or nearly so.
 #include <annulus/arithmetic/wide_integer.h>
 #include <annulus/kernel/integer_signs.h>
 #include <annulus/mesh/degenerate.h>
@@ -28,7 +28,7 @@ mpz_class value_of(const Wide_integer<N>& x) {
     return z;
 }
 
-/// Any number, those next to the ends and to 0 often.
+/// Any number; often next to the ends of the range or to 0.
 template <std::size_t N>
 Wide_integer<N> any_integer(Random& random) {
     Wide_integer<N> x;

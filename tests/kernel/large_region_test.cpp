@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions of more points than Cavity_retriangulator keeps memory for: they are built, and so is what comes after them.
+// Cavities with more points than Cavity_retriangulator keeps memory for: they and later ones are retriangulated.
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
@@ -34,6 +34,6 @@ TEMPLATE_TEST_CASE_SIG("A hub of 17,000 neighbours goes, comes back and goes aga
         REQUIRE(mesh.insert(x[0]) == 0);
         REQUIRE(mesh.audit().delaunay());
     }
-    mesh.remove(1);  // a small region, with fresh memory
+    mesh.remove(1);  // a small cavity, with fresh memory
     CHECK(mesh.audit().delaunay());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of insertion goes from a vertex to one beside it, whatever the scale of the points and however few of them
-// make the box around all of them large.
+// The order of insertion goes from a vertex to one near it, at every scale, even if a few points make the bounding box
+// large.
 #include <annulus/kernel/spatial_order.h>
 
 #include <support/catch.h>
@@ -44,7 +44,7 @@ struct Way {
     std::size_t steps = 0, jumps = 0;
 };
 
-/// Through the last round, from each vertex to the next; those of group -1 are passed over, jumps are from a group to
+/// Distances between consecutive vertices of the last round; skips those of group -1; a jump is from one group to
 /// another.
 template <int d>
 Way way_through(const Places<d>& x, const std::function<int(std::size_t)>& group) {
@@ -69,7 +69,7 @@ Way way_through(const Places<d>& x, const std::function<int(std::size_t)>& group
     return way;
 }
 
-/// The side of a box that n points in the unit box have each.
+/// The side of each of n equal boxes in the unit box.
 template <int d>
 double spacing(std::size_t n) {
     return std::pow(static_cast<double>(n), -1.0 / d);
@@ -81,7 +81,7 @@ constexpr std::size_t many = 20'000;
 
 TEMPLATE_TEST_CASE_SIG("Few points far away leave the order of insertion of all others short, dimension",
                        "[spatial_order]", ((int d), d), 2, 3) {
-    const std::size_t every = GENERATE(0U, 100U, 10U);  // so many-th is far
+    const std::size_t every = GENERATE(0U, 100U, 10U);  // every so many-th point is far away
     const double reach = GENERATE(1e3, 0x1p40, 0x1p400);
     Random random(5);
     Places<d> x;

@@ -29,9 +29,9 @@ TEST_CASE("More threads than parts build what one thread builds", "[kernel][para
     CHECK((built_numbers<2>(builder, x, 300) == alone));
 }
 
-// All cells are at that vertex, or at infinity, and no part is known of it in the rounds before its own. With
-// assertions of the standard library, as with sanitizers, the test also fails where one is read.
-TEST_CASE("A corner of the first cell that is of a later round is in no thread's territory", "[kernel][parallel]") {
+// All cells are at that vertex, or at infinity, and it belongs to no part in the rounds before its own. With assertions
+// of the standard library, as with sanitizers, the test also fails where one is read.
+TEST_CASE("A corner of the first cell that is of a later round is in the part of no thread", "[kernel][parallel]") {
     constexpr std::size_t n = Limits::tiny ? 900 : 90000;
     std::vector<Coordinates<2>> x(n);
     for (std::size_t i = 0; i < n; ++i) x[i] = {static_cast<double>(i), 0};

@@ -78,7 +78,7 @@ TEST_CASE("The audit of space passes Delaunay triangulations", "[audit][space]")
 TEST_CASE("The audit of space passes what CGAL builds, of every family", "[audit][space]") {
     for (const Set_3 set : all_sets_3) {
         if (set == Set_3::plane || set == Set_3::line || set == Set_3::scaled)
-            continue;  // flat ones have a test of their own
+            continue;  // flat ones have a separate test
         CAPTURE(name_of(set));
         Random random(11);
         for (const int n : {4, 5, 8, 30, 100}) {
@@ -139,7 +139,7 @@ TEST_CASE("The audit of space refuses a boundary that is not convex", "[audit][s
     Input input = spindle(0.01);
     input.cells.pop_back();
     refuses(input);
-    // The vertex below looks over the edge of the base.
+    // The vertex below is visible beyond the edge of the base.
     input = tent();
     input.points[4] = {3, 0, -0.5};
     refuses(input);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of which the audit has one witness only: each of these inputs passes when the one condition that it breaks
-// is not looked at.
+// Faults that only one condition of the audit finds: each of these inputs passes without this condition.
 #include <annulus/mesh/audit.h>
 
 #include <support/catch.h>
@@ -55,7 +54,7 @@ TEST_CASE("The audit names vertices as the caller calls them, and without names 
     CHECK(audit(plane).first_fault == "vertex in no cell: 70");
     plane.cells = {{0, 2, 1}};
     CHECK(audit(plane).first_fault == "cell not positively oriented: 2 5 3");
-    plane.cells = {{0, 1, 4}};  // names nothing, and so has no name
+    plane.cells = {{0, 1, 4}};  // has no vertex, and so no name
     CHECK(audit(plane).first_fault == "a cell names a vertex that is not there: 2 3 4");
     Audit_input<3> space{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1, 3}}};
     space.names = {1, 4, 9, 16};

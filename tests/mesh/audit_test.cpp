@@ -16,8 +16,8 @@ namespace {
 
 using Cell = std::array<Index, 3>;
 
-/// A square cut along the diagonal 0 2, far from cocircular, with a fifth vertex below the edge 0 1:
-/// good as it stands, the base of what is bad below.
+/// A square cut along the diagonal 0 2, far from cocircular, with a fifth vertex below the edge 0 1: valid as it is,
+/// the base of the invalid inputs below.
 Audit_input<2> kite() { return {{{0, 0}, {4, 0}, {5, 5}, {0, 4}, {2, -1}}, {{0, 1, 3}, {1, 2, 3}, {0, 4, 1}}}; }
 
 void refuses(const Audit_input<2>& input) {

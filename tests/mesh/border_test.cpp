@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether infinity is one: of one simplex, and of two that share nothing but it, each of whose borders winds once.
+// The connectedness of infinity: one simplex, and two that share nothing but infinity, each of whose borders winds
+// once.
 #include <annulus/mesh/border.h>
 
 #include <support/catch.h>

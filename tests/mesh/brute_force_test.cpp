@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The audits beside brute force, on triangulations of up to eight points that were spoilt in every way there is.
+// The audits compared with brute force, on triangulations of up to eight points that were damaged in all possible ways.
 #include "../../fuzz/common/audit_case.h"
 
 #include <support/catch.h>
@@ -12,7 +12,7 @@ using namespace annulus::oracle;
 
 namespace {
 
-/// Each of `cases` random byte strings as a case. How many the audit passed, by what was wrong with them.
+/// Runs `cases` random byte strings as cases. Returns how many the audit passed, by fault.
 template <int d>
 std::map<std::string, int> compare(int cases) {
     std::mt19937_64 random(annulus::run_seed());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All there is to triangulate on a small grid, where nearly everything is degenerate: every set of four to six points
-// of a 3 x 3 and of a 2 x 2 x 3 grid is built, audited and compared with brute force, and moved to others.
+// All point sets on a small grid, where nearly everything is degenerate: every set of four to six points of a 3 x 3 and
+// of a 2 x 2 x 3 grid is built, audited and compared with brute force, and moved to others.
 #include "../../fuzz/common/brute_force.h"
 
 #include <annulus/moving_delaunay_2.h>
@@ -62,7 +62,7 @@ std::string as_code(const std::vector<Grid_point<d>>& set) {
     return s;
 }
 
-/// Empty, or what is wrong where the vertices are at `set`.
+/// Empty, or the fault where the vertices are at `set`.
 template <int d>
 std::string fault_at(const Moving<d>& dt, const std::vector<Grid_point<d>>& set) {
     const Brute_verdict truth = Brute_force<d>(set).verdict(dt.audit_input().cells);
@@ -93,7 +93,7 @@ std::size_t build_all() {
     return count;
 }
 
-/// One object goes from each of some sets to each other one, and back; every `stride`-th set of k points.
+/// One object moves from each of some sets to each other one, and back; every `stride`-th set of k points.
 template <int d>
 std::size_t move_between_all(std::size_t k, std::size_t stride, Strategy strategy) {
     const auto all = sets_of<d>(k);
@@ -120,7 +120,7 @@ std::size_t move_between_all(std::size_t k, std::size_t stride, Strategy strateg
     return count;
 }
 
-/// The vertices of a set change places in every way.
+/// The vertices of a set are permuted in every way.
 template <int d>
 std::size_t permute_all(std::size_t k, std::size_t stride, Strategy strategy) {
     const auto sets = sets_of<d>(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is an index of what: mix-ups do not compile, and what is none is nothing else.
+// Types of indices: mix-ups do not compile, and "none" differs from every index.
 #include <annulus/cgal/view_2.h>
 #include <annulus/cgal/view_3.h>
 
@@ -31,7 +31,7 @@ concept takes = requires(Array& a, I i) {
 static_assert(takes<By_cell<int>, Cell_index> && takes<By_corner<int>, Corner_index>);
 static_assert(!takes<By_cell<int>, Corner_index> && !takes<By_cell<int>, Index> && !takes<By_cell<int>, std::size_t>);
 
-// No vertex is not the vertex at infinity, which arrays of the caller's have as -1.
+// "No vertex" differs from the vertex at infinity, which is -1 in arrays of the caller.
 static_assert(infinite == -1 && none != infinite && none < 0);
 static_assert(Cell_index() == no_cell && Corner_index() == no_corner && no_cell < Cell_index(0) &&
               no_corner < Corner_index(0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Walks that begin at landmarks are short however many vertices there are, and end in the cell that holds the place.
+// Walks that begin at landmarks are short for any number of vertices, and end in the cell that contains the position.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/walk.h>
@@ -35,13 +35,13 @@ Coordinates<d> place(const std::string& family, Random& random) {
     return p;
 }
 
-/// Facets crossed a walk to places of the same family, of the last half of so many walks.
+/// Facets crossed per walk to positions of the same family, in the last half of so many walks.
 template <int d>
 double steps_of(const std::string& family, std::size_t vertices) {
     Random random(3);
     std::set<Coordinates<d>> distinct;
     while (distinct.size() < vertices) distinct.insert(place<d>(family, random));
-    const Points_d<d> x(distinct.begin(), distinct.end());  // an order that a stride would fall in with
+    const Points_d<d> x(distinct.begin(), distinct.end());  // a regular order, with which a stride would coincide
     Delaunay_mesh<d> mesh;
     mesh.build(std::span<const Coordinates<d>>(x));
     const Corner_table<d>& t = mesh.table();
@@ -76,7 +76,7 @@ double steps_of(const std::string& family, std::size_t vertices) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks][price]", ((int d), d),
+TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimension", "[landmarks][cost]", ((int d), d),
                        2, 3) {
     const char* const family = GENERATE("uniform", "strip", "leaning strip", "wall", "cluster", "lattice");
     CAPTURE(family);
@@ -87,7 +87,7 @@ TEMPLATE_TEST_CASE_SIG("Walks are short whatever the number of vertices, dimensi
     CHECK(many < (d == 2 ? 16.0 : 24.0));
 }
 
-TEMPLATE_TEST_CASE_SIG("Insertions and moves to places far away walk a few facets, dimension", "[landmarks][price]",
+TEMPLATE_TEST_CASE_SIG("Insertions and moves to places far away walk a few facets, dimension", "[landmarks][cost]",
                        ((int d), d), 2, 3) {
     Random random(9);
     const std::size_t many = d == 2 ? 64000 : 16000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flips of space in the table, and in CGAL's object, which follows: made, and made back.
+// 3D flips in the table and in CGAL's object, which follows: made and undone.
 #include <annulus/cgal/view_3.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>
@@ -25,7 +25,7 @@ Cell_list_3 cells_of_table(const Corner_table<3>& t) {
     return cells;
 }
 
-/// A view that is brought up to date after flips.
+/// A view that is updated after flips.
 void check_same(const Delaunay_mesh<3>& e, Cgal_view_3<No_info>& view, const Points_3& x) {
     view.invalidate_cells();
     const auto& tr = view.update(x);
@@ -59,7 +59,7 @@ bool is_facet(const Corner_table<3>& t, Index p, Index q, Index r) {
     return false;
 }
 
-/// The cells of the table without some and with others, as cells_of_table has them.
+/// The cells of the table without some and with others, in the form of cells_of_table.
 Cell_list_3 exchanged(Cell_list_3 cells, const Cell_list_3& gone, const Cell_list_3& came) {
     for (auto x : gone) {
         std::sort(x.begin(), x.end());
@@ -152,7 +152,7 @@ TEST_CASE("Every flip of the table makes the cells it should, oriented, and CGAL
 }
 
 TEST_CASE("Flips that nobody has looked at keep the table a manifold", "[flips][space]") {
-    // Edges and facets come to be there twice; a cell beside itself would not be a flip of a ball any more.
+    // Edges and facets may occur twice; a cell adjacent to itself would no longer be a flip of a ball.
     int refused = 0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Random random(seed);

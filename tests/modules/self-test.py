@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plants one violation at a time and expects tools/check-modules to name it. usage: self-test.py CHECK_ROOMS"""
+"""Plants one violation at a time and expects tools/check-modules to name it. usage: self-test.py CHECK_MODULES"""
 
 import subprocess
 import sys
@@ -88,7 +88,7 @@ class CheckRooms(unittest.TestCase):
                             + "#include <support/catch.h>\n// #include <catch2/catch.hpp>\n")):
             self.assertEqual(self.check({name: text}).returncode, 0, name)
 
-    # Each with its constraint in the line of the second element, from 1.
+    # Each with its constraint on the line given by the second element, from 1.
     DECLARED = (
         ("template <int d>\nrequires(d == 2)\nint f(int x);", 2),
         ("template <class T> requires std::integral<T> void f(T x);", 1),

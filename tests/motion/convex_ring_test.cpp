@@ -44,8 +44,8 @@ std::vector<Whole> hull_of(std::vector<Whole> points) {
     return hull;
 }
 
-/// The same polygon as somebody else might write it: from another corner, the other way round, with corners in the
-/// middle of edges (of which even coordinates have room for one that is exact), repeated corners, closed.
+/// The same polygon in another form: from another corner, the other way round, with corners in the middle of edges (for
+/// even coordinates one such corner is exact), repeated corners, closed.
 Points rewritten(const std::vector<Whole>& hull, std::mt19937_64& random) {
     std::vector<Whole> list;
     for (std::size_t i = 0; i < hull.size(); ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("a closed ring is the open one", "[motion][domain]") {
 
 TEST_CASE("corners that rounding has put beside an edge are no corners, those outside of it are kept",
           "[motion][domain]") {
-    // Tenths of a unit on two slanted edges: most are not on them, on either side.
+    // Tenths of a unit on two slanted edges: rounding puts most off them, on either side.
     const Coordinates<2> corners[] = {{0, 0}, {1, 0.3}, {0.7, 1.3}};
     Points ring;
     for (std::size_t e = 0; e < 3; ++e)
@@ -152,7 +152,7 @@ TEST_CASE("corners that rounding has put beside an edge are no corners, those ou
     const double u = std::numeric_limits<double>::epsilon();
     CHECK(convex_ring(Points{{0, 0}, {1, -u / 1024}, {2, 0}, {1, 1}}).size() == 4);  // flat, and turns
     CHECK(convex_ring(Points{{0, 0}, {1, u / 1024}, {2, 0}, {1, 1}}).size() == 3);
-    // At a far place rounding is larger.
+    // Far from the origin rounding is larger.
     const Points utm{{5e6, 5e6}, {5e6 + 1, 5e6 + 0x1p-30}, {5e6 + 2, 5e6}, {5e6 + 1, 5e6 + 1}};
     CHECK(convex_ring(utm).size() == 3);
 }
@@ -172,7 +172,7 @@ TEST_CASE("what is no convex polygon is refused at its corner, in words that are
                contains("counter-clockwise and turns right at corner 5"));
     CHECK_THAT(refusal({{2, 2}, {1, 0.5}, {2, 0}, {0, 0}}, 1), contains("clockwise and turns left at corner 1"));
     CHECK_THAT(refusal({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 3), contains("turns right"));  // an L
-    // Spikes: outwards, inwards, along an edge, at the seam.
+    // Spikes: outwards, inwards, along an edge, at the ends of the list.
     CHECK_THAT(refusal({{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {1, 0.5}, {1, 1}, {0, 1}}, 3),
                contains("go back on itself"));
     CHECK_THAT(refusal({{0, 0}, {2, 0}, {1, 0}, {1, 1}}, 1), contains("go back on itself"));

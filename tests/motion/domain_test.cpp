@@ -186,7 +186,7 @@ TEST_CASE("samples are in the domain, differ, repeat, and follow the density", "
     for (const auto& p : sample(domains[0], Density::x2_plus_y2, 40000, seed))
         r2 += (p[0] * p[0] + p[1] * p[1]) / 40000;
     CHECK(r2 == Approx(16 * 2 / 3.0).epsilon(0.01));
-    // The generator is the standard's: this point must never change.
+    // The standard fixes the generator: this point must never change.
     const auto first = sample(Domain_2::square(1), Density::one, 1, 0);
     std::mt19937_64 bits(0);
     const double s = static_cast<double>(bits() >> 11) * 0x1p-53, t = static_cast<double>(bits() >> 11) * 0x1p-53;

@@ -22,7 +22,7 @@ namespace {
 using Points = std::vector<Coordinates<3>>;
 using Place = Feature_curves::Place;
 
-/// Upright over a polygon that sees its first corner from everywhere.
+/// An upright prism over a polygon that is star-shaped from its first corner.
 Triangle_surface prism(const std::vector<Coordinates<2>>& polygon) {
     Triangle_surface s;
     const auto n = static_cast<Index>(polygon.size());
@@ -127,7 +127,7 @@ TEST_CASE("a curve may end at the corner where it begins", "[motion][features]")
         back += sharp.curves()[c].closed();
     }
     CHECK(back == 2);
-    // Two vertices on a rim: one hair behind the corner, one before it. Neither sees the other over the corner.
+    // Two vertices on a rim: one just after the corner, one just before it. They are not neighbours across the corner.
     auto features = std::make_shared<const Feature_curves>(sharp);
     const auto rim = static_cast<std::size_t>(
         std::find_if(sharp.curves().begin(), sharp.curves().end(), [](const auto& c) { return c.closed(); }) -
@@ -193,7 +193,7 @@ TEST_CASE("places are those of points, whatever their order", "[motion][features
     std::reverse(place.begin(), place.end());
     CHECK(sharp.places(points, 1e-9) == place);
     const Coordinates<3> settled = points[1];  // 1e-12 off
-    sharp.recompute_tolerances(points, 1e-9);
+    sharp.snap(points, 1e-9);
     CHECK(settled[2] != 0.6);
     CHECK(points[1][0] == Approx(0.2));
     CHECK(points[1][1] == 0.8);

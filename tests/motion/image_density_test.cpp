@@ -103,7 +103,7 @@ TEST_CASE("moments under an image are those of its squares, one by one", "[motio
                 c = {std::floor(c[0]) + 0.5, std::floor(c[1]) + (i % 2 ? 0.5 : 0.0)};  // on the lines of the lattice
             Points offsets = oracle::random_polygon(random, h);
             if (i % 7 == 0) offsets = {{-h, -h}, {h, -h}, {h, h}, {-h, h}};
-            // In the image, as cells are.
+            // Cut to the image, as cells are.
             std::vector<oracle::Point> inside;
             for (const auto& u : offsets) inside.push_back({c[0] + oracle::Real(u[0]), c[1] + oracle::Real(u[1])});
             inside = cut(cut(cut(cut(inside, 0, 1, 0), 0, -1, w), 1, 1, 0), 1, -1, t);

@@ -80,7 +80,7 @@ TEST_CASE("refinement ends beside sharp edges, and where it would need too much"
     const Surface_3 sharp({{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
     const auto points = initial_mesh(sharp, Sizing_3(sharp), 600, 1);
     CHECK(std::abs(static_cast<double>(points.size()) - 600) < 60);
-    // A plate a millionth as thick as wide: at the size that its volume asks for it has vertices without end.
+    // A plate a millionth as thick as wide: at the size that its volume suggests it would have too many vertices.
     const Surface_3 plate(box({1, 1, 1e-6}));
     try {
         const auto p = initial_mesh(plate, Sizing_3(plate), 20, 1);

@@ -59,7 +59,7 @@ bool same_bits(std::span<const Cell_moment> a, std::span<const Cell_moment> b) {
                       [](const auto& p, const auto& q) { return p.moment == q.moment && p.volume == q.volume; });
 }
 
-/// Everybody moves in a random direction, by this much at most.
+/// Moves all points in random directions, by this much at most.
 void shake(Points& points, double most, std::mt19937_64& random) {
     for (auto& p : points)
         for (double& x : p) x += most * (static_cast<double>(random() >> 11) * 0x1p-52 - 1);
@@ -79,7 +79,7 @@ TEST_CASE("cells kept from step to step are those of a new triangulation, in the
         Kept_cells_3 listed;
         listed.read(dt.audit_input().cells, points.size(), 1 + step % 2);
         check_same(listed, cells_of(dt));
-        shake(points, step % 10 == 9 ? 0.05 : 0.0005, random);  // now and then too many differ to be merged
+        shake(points, step % 10 == 9 ? 0.05 : 0.0005, random);  // sometimes too many differ to be merged
         (void)dt.move_all(points);
     }
 }

@@ -14,7 +14,7 @@ using namespace annulus_test;
 
 namespace {
 
-/// Voxels whose centre f says yes to.
+/// Voxels whose centre satisfies f.
 template <class F>
 Labelled_image image_of(const std::array<std::size_t, 3>& size, const Coordinates<3>& spacing, F f) {
     Labelled_image image{size, spacing, {}};

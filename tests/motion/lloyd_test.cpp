@@ -135,7 +135,7 @@ TEST_CASE("the result does not depend on the number of threads, bit for bit", "[
         CAPTURE(seed, std::string(name_of(density)));
         Points one(points.size()), other(points.size());
         const Lloyd_step expected = Lloyd_2(disc, density, 1).step(neighbours, points, one);
-        // Many times: which thread does what differs from time to time.
+        // Many times, because the assignment of work to threads varies.
         for (int turn = 0; turn < 40; ++turn) {
             const int threads = 2 + turn % 3;
             const Lloyd_step got = Lloyd_2(disc, density, threads).step(neighbours, points, other);

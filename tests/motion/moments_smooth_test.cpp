@@ -60,8 +60,8 @@ TEST_CASE("Gauss rules are exact up to their degree", "[motion][moments]") {
         }
 }
 
-// Sizes at which a number of nodes just suffices, at which a cell is as large as a far one may be, as close to (0,
-// 0), and around zeros of the density, where it is smallest beside its derivatives.
+// Sizes at which a number of nodes just suffices, at which a cell is as large as a far one may be, close to (0, 0), and
+// around zeros of the density, where it is smallest relative to its derivatives.
 TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moments][deep]") {
     const std::uint64_t seed = GENERATE(1u, 2u, 3u);
     std::mt19937_64 random(seed);
@@ -80,7 +80,7 @@ TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moment
                 const Coordinates<2> c{r * std::cos(turn), r * std::sin(turn)};
                 const auto polygon = oracle::random_polygon(random, h);
                 const auto exact = oracle::polygon(Density::sin2, c, polygon, std::max(0.06, h / 6));
-                // What is promised, and a few roundings of the distance in the sine.
+                // The guarantee, plus a few roundings of the distance in the sine.
                 const double e =
                     error(moments(Density::sin2, c, oracle::straight(polygon)), exact, h) / (1e-9 + 4e-15 * r / h);
                 worst = std::max(worst, e);
@@ -88,7 +88,7 @@ TEST_CASE("sin2 moments keep the promise where it is tightest", "[motion][moment
                 CHECK(e < 1);
             }
     std::printf("sin2: seed %d, worst error %.2f of what is promised\n", static_cast<int>(seed), worst);
-    CHECK(worst > 0.005);  // what is promised is not far from what is needed
+    CHECK(worst > 0.005);  // the guarantee is not far from the error
 }
 
 TEST_CASE("sin2 moments of cells with an arc for an edge keep the promise", "[motion][moments]") {
@@ -124,7 +124,7 @@ TEST_CASE("any smooth density has the error that is stated", "[motion][moments]"
     const std::uint64_t seed = 4;
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(0, 1);
-    // Three waves of different lengths and directions, and a bell; the oracle has formulas of its own.
+    // Three waves of different lengths and directions, and a bell; the oracle has its own formulas.
     const auto waves = [](auto x, auto y) {
         using std::cos;
         return 2 + cos(x * 3) * cos(y * 4) - cos(x * 0.7 + 1);

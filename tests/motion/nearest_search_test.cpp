@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search of nearest points that keeps a list, on a tree without CGAL: triangles that are points.
+// Nearest_search, which keeps a list, on a tree without CGAL whose triangles are points.
 #include <annulus/motion/nearest_search.h>
 
 #include <support/cases.h>
@@ -18,7 +18,7 @@ namespace {
 struct Point_tree {
     using Triangle = std::array<Coordinates<3>, 3>;
     std::vector<Triangle> triangles;
-    mutable int memory = -1;  // entries of lists until it runs out; never when negative
+    mutable int memory = -1;  // entries of lists until memory runs out; negative: never
 
     [[nodiscard]] const Triangle& triangle(std::int32_t number) const {
         return triangles[static_cast<std::size_t>(number)];

@@ -224,7 +224,7 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
     for (std::size_t v = 0; v < points.size(); ++v) {
         if (distance(points[v], {}) > 0.65) continue;
         locked += target[v] == moved[v];
-        // A neighbour that has a spoilt cell is free and goes; all others rest.
+        // A neighbour with a spoilt cell is unlocked and moves; all others rest.
         CHECK((target[v] == moved[v]) == !near.contains(static_cast<Index>(v)));
     }
     CHECK(locked + near.size() == interior);
@@ -371,7 +371,7 @@ TEST_CASE("vertices of the surface go by a tenth of the way to their nearest nei
                     if (w != static_cast<Index>(v))
                         nearest = std::min(nearest, distance(points[v], points[static_cast<std::size_t>(w)]));
         const double went = distance(points[v], target[v]);
-        CHECK(went <= 0.1 * nearest * 1.01);  // the last bit of the way, to the surface, comes on top
+        CHECK(went <= 0.1 * nearest * 1.01);  // the projection to the surface is added
         full += went > 0.07 * nearest;
     }
     CHECK(full > 0);
@@ -390,7 +390,7 @@ TEST_CASE("rows of a regular lattice that go against each other are damped", "[m
     Points target(points.size());
     (void)Nodt_3(surface, Sizing_3(surface), vertices_on_surface(surface, points))
         .step(cells, std::vector<char>(cells.size(), 1), points, target);
-    // The mean is the mirror image of the place; three quarters of the way there.
+    // The mean is the mirror image of the position; the target is three quarters of the way there.
     CHECK(distance(points[middle], {0, off, 1}) < 1e-15);
     CHECK(distance(target[middle], {0, -off / 2, 1}) < 1e-12);
 }
@@ -419,7 +419,7 @@ TEST_CASE("vertices of the surface do not exchange their places for ever", "[mot
         before = points;
         points = target;
     }
-    CHECK(and_back > 1.5 * there);  // on their way to where they come to rest: two steps are nearly twice as far as one
+    CHECK(and_back > 1.5 * there);  // on the way to rest: two steps are nearly twice as far as one
 }
 
 TEST_CASE("a tip of a surface stays where it is", "[motion][nodt]") {
@@ -458,7 +458,7 @@ TEST_CASE("vertices on sharp edges stay on them, and corners where they are", "[
         const Surface_3 surface(s);
         auto sharp = std::make_shared<const Feature_curves>(s, 30);
         Points points = initial_mesh(surface, Sizing_3(surface), 400, 1, sharp.get());
-        sharp->recompute_tolerances(points, rounding_of(surface));
+        sharp->snap(points, rounding_of(surface));
         const std::vector<Feature_curves::Place> place = sharp->places(points, rounding_of(surface));
         // Mesh_3 spaces them evenly.
         const Points noise = random_points(points.size(), 3);

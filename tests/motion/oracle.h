@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-/// Slow and simple answers to compare with: 80-bit arithmetic, brute force, nothing shared with the library.
+/// Slow and simple reference results: 80-bit arithmetic, brute force, nothing shared with the library.
 namespace oracle {
 
 using annulus::Coordinates;

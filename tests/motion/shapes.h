@@ -76,7 +76,7 @@ inline Triangle_surface dented(double depth = 0.25) {
     return s;
 }
 
-/// How often a surface winds around a point, by the solid angles of its triangles (van Oosterom and Strackee).
+/// The winding number of a surface around a point, by the solid angles of its triangles (van Oosterom and Strackee).
 inline double winding(const Triangle_surface& s, const Coordinates<3>& o) {
     double sum = 0;
     for (const auto& t : s.triangles) {

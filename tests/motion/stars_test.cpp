@@ -24,7 +24,7 @@ Moving_delaunay_2 kept(const Points& points) {
     return Moving_delaunay_2(points, Options{.strategy = Strategy::tolerances});
 }
 
-/// The lists that CGAL gives for these points alone, turned into the one order.
+/// The lists from CGAL's triangulation of these points, in the order of Stars_2.
 Stars_2 stars_of(const Points& points) {
     Stars_2 stars;
     stars.read(neighbours_of(points));
@@ -41,7 +41,7 @@ void check_same(const Stars_2& got, const Stars_2& expected) {
     }
 }
 
-/// Everybody moves in a random direction, by this much at most.
+/// Moves all points in random directions, by this much at most.
 void shake(Points& points, double most, std::mt19937_64& random) {
     for (auto& p : points)
         for (double& x : p) x += most * (static_cast<double>(random() >> 11) * 0x1p-52 - 1);
@@ -62,7 +62,7 @@ TEST_CASE("stars read off a table step by step are those of a new triangulation"
         stars.read(dt.mesh().table());
         for (std::size_t v = 0; v < stars.size(); ++v) kept_lists += stars.since(v) <= before;
         check_same(stars, stars_of(points));
-        shake(points, step % 10 == 9 ? 0.05 : 0.0005, random);  // now and then nearly all lists change
+        shake(points, step % 10 == 9 ? 0.05 : 0.0005, random);  // sometimes nearly all lists change
         (void)dt.move_all(points);
     }
     CHECK(kept_lists > 30 * points.size());
@@ -111,8 +111,8 @@ TEST_CASE("Lloyd with a memory does what Lloyd does without, in any number of th
                 CHECK(got.max_displacement == one.max_displacement);
                 CHECK(got.kept == one.kept);
             }
-            // Only the vertices of a part go where they want to go, so most rest; in some steps all rest, or only
-            // stars change.
+            // Only the vertices in a part of the domain move to their targets, so most rest; in some steps all rest, or
+            // only stars change.
             for (std::size_t v = 0; v < points.size(); ++v)
                 if (step % 5 != 4 && points[v][0] > 0.3) points[v] = expected[v];
             (void)dt.move_all(points);

@@ -88,12 +88,12 @@ TEST_CASE("nearest points are the same whatever was kept of earlier questions", 
         Nearby_3 nearby;
         Coordinates<3> p = surface.surface_sample(1, 5)[0], near = p;
         std::size_t same_ball = 0;
-        for (int step = 0; step < (log_stride < 0 ? 1500 : 150); ++step) {  // CGAL answers slowly from afar
+        for (int step = 0; step < (log_stride < 0 ? 1500 : 150); ++step) {  // CGAL is slow for far points
             const double stride =
                 size * std::pow(10, log_stride < 0 ? log_stride : log_stride * std::abs(number()) - 2);
             for (double& x : p) x += stride * number();
-            // Mostly close to the surface, as vertices are, at times on it, at a corner, or with a place near by that
-            // is not.
+            // Mostly close to the surface, like vertices, sometimes on it, at a corner, or with a `near` that is not
+            // near.
             if (step % 5 == 1) p = surface.project(p);
             if (step % 100 == 50) p = shape.points[static_cast<std::size_t>(step) % shape.points.size()];
             if (step % 70 == 30) near = p;

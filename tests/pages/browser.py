@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Chromium without a window, spoken to by the DevTools protocol (Debian: chromium, python3-websocket)."""
+"""Headless Chromium, controlled by the DevTools protocol (Debian: chromium, python3-websocket)."""
 
 import base64
 import collections
@@ -14,11 +14,11 @@ from pathlib import Path
 
 import websocket
 
-LIMIT = 1800  # seconds for an answer: against what hangs
+LIMIT = 1800  # seconds for an answer, against hanging
 
 
 class Browser:
-    """A Chromium of our own, with a fresh profile and no network."""
+    """A Chromium process with a fresh profile and no network."""
 
     def __init__(self):
         program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -40,7 +40,7 @@ class Browser:
                 break
         else:
             raise RuntimeError("chromium does not start:\n" + "".join(said))
-        # What else it says goes: a pipe that is full would stop it.
+        # The rest of its output is discarded: a full pipe would block it.
         threading.Thread(target=collections.deque, args=(self.process.stderr, 0), daemon=True).start()
         self.socket = websocket.create_connection(line.split()[-1], timeout=LIMIT)
         self.numbers, self.events = itertools.count(1), []
@@ -78,7 +78,7 @@ class Browser:
 
 
 class Page:
-    """A file, opened in a tab of its own: what it said on the console, what it asked for, what is in it."""
+    """A file, opened in its own tab: its console output, its requests and its contents."""
 
     def __init__(self, browser, path, width=1280, height=900, dark=False, scripts=True):
         self.browser = browser
@@ -124,8 +124,8 @@ class Page:
                       **({"text": "\r"} if key == "Enter" and kind == "keyDown" else {}))
 
     def complaints(self):
-        """What the console has of warnings and errors, and exceptions."""
-        # What was to be done next is done.
+        """Warnings, errors and exceptions on the console."""
+        # Pending work of the page is done.
         self.evaluate("document.fonts.ready.then(() => new Promise(done => setTimeout(done, 0)))")
         found = [str(p["args"]) for p in self.ours("Runtime.consoleAPICalled")
                  if p["type"] in ("error", "warning", "assert")]
@@ -134,7 +134,7 @@ class Page:
         return found + [str(p["exceptionDetails"]) for p in self.ours("Runtime.exceptionThrown")]
 
     def fetched(self):
-        """All that was asked for beside the page itself."""
+        """All requests except that of the page itself."""
         return [p["request"]["url"] for p in self.ours("Network.requestWillBeSent")
                 if p["request"]["url"] != self.address]
 

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of page that the tool writes: a line each. A new kind is a new line, and is then tested like the
-others."""
+"""Every kind of page that the tool writes, one per line. A new line is enough to test a new kind."""
 
 from dataclasses import dataclass, field
 

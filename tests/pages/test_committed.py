@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages and figures that are in the repository, in Chromium: nothing on the console, nothing fetched, links and
-images that lead somewhere, no number that is none, no label of a plot cut or upon another.
+"""The pages and figures of the repository, in Chromium: nothing on the console, nothing fetched, all links and images
+valid, no NaN, no label of a plot cut or upon another.
 
 usage: tests/pages/test_committed.py [CLASS[.METHOD] ...]
 
@@ -16,10 +16,10 @@ from test_pages import CLASHES, ROOT, Browser, Page
 PAGES = sorted(ROOT.glob("docs/**/*.html"))
 FIGURES = sorted(ROOT.glob("docs/degeneracy/*.svg"))
 
-# Of files beside the page, those that links and images name.
+# Files that links and images name.
 NAMED = """[...document.querySelectorAll('a[href],img[src]')].map(e => e.getAttribute('href') || e.getAttribute('src'))
   .filter(name => !/^([a-z]+:|#)/.test(name))"""
-# What would be drawn, or read, of something that is no number.
+# Text that is drawn or read where a value is not a number.
 NO_NUMBERS = """(() => {
   const found = [...document.querySelectorAll('[d],[x],[y],[cx],[cy],[points],[transform],[viewBox]')]
     .filter(e => [...e.attributes].some(a => /\\b(NaN|nan|inf|Infinity|undefined)\\b/.test(a.value)

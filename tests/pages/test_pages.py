@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every kind of page that the tool writes, in Chromium: nothing on the console, nothing fetched, nothing outside the
-window, no label cut or upon another, light and dark, wide and narrow; sliders and sorting do what they say.
+window, no label cut or upon another, light and dark, wide and narrow; sliders and sorting work.
 
 usage: tests/pages/test_pages.py [--tool=PATH] [--screenshots=DIR] [CLASS[.METHOD] ...]
 
-Without --tool the preset release is built. Screenshots are for looking at: each kind wide, dark, narrow and printed.
-Needs chromium and python3-websocket (tools/setup --deep). Ends with `N passed, N failed`, and with 77 where there is
-no Chromium.
+Without --tool the preset release is built. Screenshots are for inspection: each kind wide, dark, narrow and printed.
+Needs chromium and python3-websocket (tools/setup --deep). Ends with `N passed, N failed`, and with 77 where there is no
+Chromium.
 """
 
 import argparse
@@ -29,7 +29,7 @@ from pages import KINDS
 ROOT = Path(__file__).resolve().parents[2]
 SIZES = {"wide": {}, "dark": {"dark": True}, "narrow": {"width": 360, "height": 700}}
 
-# Texts of plots that reach out of their drawing, or lie upon another text of it: what would be cut or not be read.
+# Texts of plots that extend beyond their drawing, or overlap another text of it.
 CLASHES = """(() => {
   const found = [];
   for (const svg of document.querySelectorAll('svg.plot')) {
@@ -113,7 +113,7 @@ class Pages(unittest.TestCase):
         return page
 
     def test_every_kind_of_page_is_here(self):
-        """What the tool calls a page in its sources is written by some kind."""
+        """Every page in the tool's sources is written by some kind."""
         sources = "".join(p.read_text() for p in ROOT.glob("src/annulus/cli/*.cpp"))
         for name in set(itertools.chain(*(line.split('"')[1::2] for line in sources.splitlines()
                                           if "out.write(" in line))):
@@ -146,7 +146,7 @@ class Pages(unittest.TestCase):
                     self.assertGreaterEqual(least, 4.5, f"{size}: '{text}'")
 
     def test_without_scripts(self):
-        """Everything but sliders and sorting is there, and nothing looks as if it could be pressed."""
+        """Everything except sliders and sorting works, and nothing looks like a button."""
         for kind in KINDS:
             with self.subTest(kind=kind.name):
                 page = self.open(kind.name, scripts=False)
@@ -173,7 +173,7 @@ class Pages(unittest.TestCase):
             return page.evaluate(f"[...{table}.tBodies[0].rows].map(r => r.cells[{column}].dataset.key ?? null)"
                                  ".map(k => k === null ? null : +k)")
 
-        # One cell has no number, as the ratio to a strategy that took no time.
+        # One cell has no number, for example the ratio to a strategy that took no time.
         page.evaluate(f"delete {table}.tBodies[0].rows[0].cells[2].dataset.key")
         before = rows()
         for column in range(len(before[0])):
@@ -190,9 +190,9 @@ class Pages(unittest.TestCase):
                     continue
                 there = [k for k in keys(column) if k is not None]
                 self.assertEqual(there, sorted(there, reverse=direction == "descending"))
-                self.assertEqual(keys(column)[: len(there)], there)  # what has no number comes last
+                self.assertEqual(keys(column)[: len(there)], there)  # cells without a number come last
                 self.assertGreater(len(there), 0)
-        # The keyboard does what the mouse does.
+        # The keyboard works like the mouse.
         page.evaluate(f"document.querySelector('#head-{number}-1').focus()")
         page.press("Enter")
         self.assertEqual(keys(1), sorted(keys(1)))
@@ -209,7 +209,8 @@ class Pages(unittest.TestCase):
                 self.assertEqual(page.fetched(), [])
 
     def slide(self, page, slider):
-        """Each end, the middle and a step by the keyboard show another picture, and the same place the same one."""
+        """Each end, the middle and a step by the keyboard show different pictures, and the same position the same
+        one."""
         picture = ("[...document.querySelectorAll('svg,canvas')].filter(e => e.checkVisibility()).map(e => e.toDataURL "
                    "? e.toDataURL() : e.outerHTML).join()")
         low, high = (float(page.evaluate(f"{slider}.{end}")) for end in ("min", "max"))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A batch gives what single calls give, bit for bit, and the modes give what they promise.
+// A batch returns the results of single calls, bit for bit, and each precision keeps its guarantee.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -42,7 +42,7 @@ void check(const std::vector<Case>& x, const std::vector<T>& tuples, Tolerance_p
     }
 }
 
-/// The verdict of a single call in a mode.
+/// The certificate value of a single call with a precision.
 template <class T, class... More>
 Certificate_value one(const T& x, Tolerance_precision mode, More... more) {
     constexpr bool is_orientation = std::is_same_v<T, Tuple<2, 3>> || std::is_same_v<T, Tuple<3, 4>>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds of the filter in 3D beside the errors it makes, sought by climbing; and the interval stage's
-// numbers beside CGAL's intervals.
+// The error bounds of the filter in 3D compared with its errors, maximised by climbing; and the interval stage's
+// numbers compared with CGAL's intervals.
 
 #include "worst_cases.h"
 
@@ -95,7 +95,7 @@ TEST_CASE("Boost's intervals and CGAL's enclose the same terms", "[certificate][
             for (std::size_t k = 0; k < truth.size(); ++k) {
                 HOLDS(mpq_class(boost[k].first) <= truth[k] && truth[k] <= mpq_class(boost[k].second), c);
                 HOLDS(mpq_class(cgal[k].first) <= truth[k] && truth[k] <= mpq_class(cgal[k].second), c);
-                // Neither is much wider than the other; a square knows that it is not negative, x * x does not.
+                // Neither is much wider than the other; square(x) is never negative, x * x may be.
                 if (k >= 1 && k <= 4) continue;
                 const double ours = boost[k].second - boost[k].first, theirs = cgal[k].second - cgal[k].first;
                 HOLDS(ours <= 2 * theirs + 0x1p-1000 && theirs <= 8 * ours + 0x1p-1000, c);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds of the filter beside the errors it makes, sought by climbing, and what the filter does with them.
+// The error bounds of the filter compared with its errors, maximised by climbing, and how the filter uses them.
 //
-// A tolerance alone says little about the bounds: what is taken off the determinant hides what is missing elsewhere
-// (half a width is at most m, so 121 u m^4 of the determinant weighs more than 264 u m^3 of the roots). Here each is
-// looked at by itself.
+// A tolerance alone says little about the bounds: the error subtracted from the determinant hides missing terms
+// elsewhere (half a width is at most m, so 121 u m^4 of the determinant weighs more than 264 u m^3 of the roots). Here
+// each bound is tested separately.
 
 #include "worst_cases.h"
 
@@ -59,7 +59,7 @@ TEST_CASE("the filter is never off by more than its bounds, sought by climbing",
 }
 
 TEST_CASE("an orientation off by 8 u m^2", "[certificate]") {
-    // Differences just above 1, found by climbing: a bound proved for m = 1 is not one for every m.
+    // Differences just above 1, found by climbing: a bound proved for m = 1 does not hold for every m.
     const Numbers x{0x1.000003d0f177dp-1, 0x1.0000000871f71p-1,  -0x1.fffffff7bd8a4p-2,
                     0x1.800006170d57ap+0, -0x1.fffffb649e77cp-2, -0x1.fffffffff396cp-2};
     CHECK(triangle_errors(x).determinant > 7.9999);

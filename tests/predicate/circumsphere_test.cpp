@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sphere of a cell where its error bounds decide: next to where a sign changes, and at the ends of their range.
+// The sphere of a cell where its error bounds matter: next to a change of sign, and at the ends of their range.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -17,8 +17,8 @@ using namespace annulus::testing;
 
 namespace {
 
-/// Random points, the last one moved along a coordinate to where sign(x) changes, exactly up to the last bit. False:
-/// it does not.
+/// Random points, the last one moved along a coordinate to where sign(x) changes, exactly up to the last bit. False if
+/// it does not change.
 template <std::size_t n, class Sign>
 bool find_change(Random& random, std::array<Point_3, n>& x, Sign sign) {
     for (Point_3& p : x)
@@ -70,7 +70,7 @@ TEST_CASE("The sphere of a cell claims no sign that is within its error", "[cert
                 HOLDS(sign(x) > 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
             if (sphere.positive() && sphere.contains(x[4]))
                 HOLDS(sign(x) < 0, (Bicell_3{x[0], x[1], x[2], x[4], x[3]}));
-            // All at once: never yes where one by one it is no, nor for a corner.
+            // All at once: never true where the single test is false, nor for a corner.
             const Point_3 far{65.0 * x[0][0] - 64.0 * x[4][0], 65.0 * x[0][1] - 64.0 * x[4][1],
                               65.0 * x[0][2] - 64.0 * x[4][2]};
             const bool one = sphere.positive() && sphere.excludes(x[4]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every error term of the filter is needed, and is there. A sign without its term is wrong next to where the
-// determinant is 0, which rational numbers find by bisection. A term of the norms no tolerance can show, because what
-// is taken off the determinant hides what is missing elsewhere (bounds_test.cpp): those are compared with the
-// quotient that the proofs speak of.
+// Every error term of the filter is needed and present. A sign without its term is wrong next to a zero of the
+// determinant, which rational numbers find by bisection. No tolerance can show a missing term of the norms, because the
+// error subtracted from the determinant hides it (bounds_test.cpp): these terms are compared with the quotient in the
+// proofs.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -223,7 +223,7 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
                 HOLDS(is_below(a->tolerance, s.determinant, term(bounds::annulus_3_insphere, m, 5),
                                std::sqrt(s.inner[k]) + std::sqrt(s.outer[k]), term(bounds::annulus_3_norms, m, 4)),
                       c);
-                // The same of the sides: forward is what is above its error.
+                // The same for the sides: a partition is on the right side only if its value is above the error.
                 const bool forward = (a->wrong_side & (1U << k)) == 0;
                 HOLDS(k == 0 || !forward || Rational(s.side[k]) > term(bounds::annulus_3_side, m, 3), c);
             }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the filter is off by on given coordinates, in the units of its bounds (annulus/predicate/bounds.h), and what
-// its tolerance gives away. Rational numbers, so that the same coordinates give the same double everywhere. Each kind
-// can be climbed.
+// The errors of the filter for given coordinates, in the units of its bounds (annulus/predicate/bounds.h), and the
+// slack of its tolerance. Rational numbers, so that the same coordinates give the same double everywhere. Each kind can
+// be maximised by climbing.
 
 #include <support/generators_3.h>
 #include <support/oracle_3.h>
@@ -67,7 +67,7 @@ std::array<Vector_3<T>, 4> differences(const Numbers& x) {
 /// In 2D, in units of u times the power of m that the bound has.
 struct Plane_errors {
     double determinant = 0;  ///< of |determinant~ - determinant|
-    double roots = 0;  ///< of what the roots fall short by, less their own rounding; relative, in u, of a triangle
+    double roots = 0;        ///< of the roots, from below, less their own rounding; for a triangle relative, in u
 };
 
 [[nodiscard]] inline Plane_errors triangle_errors(const Numbers& x) {
@@ -130,7 +130,8 @@ struct Space_errors {
     Space_errors e;
     double m = std::max({detail::magnitude(d[0]), detail::magnitude(d[1]), detail::magnitude(d[3])});
     if (!(m > 0)) return {};
-    // Roots are compared less what rounding squares, roots and their sum may take: 4 u relative, which is in the tail.
+    // Roots are compared after subtracting the rounding of squares, roots and their sum: 4 u relative, which is in the
+    // tail.
     const auto short_by = [](const mpq_class& truth, double computed) {
         return mpq_class(truth - mpq_class(computed) * (1 + mpq_class(4 * bounds::u)));
     };
@@ -151,7 +152,7 @@ struct Space_errors {
     return e;
 }
 
-/// The share of the half width that the tolerance of a stage gives away; 0 where the stage does not answer with a
+/// The share of the half width by which a stage's tolerance is too small; 0 where the stage does not return a
 /// tolerance.
 template <class Truth>
 [[nodiscard]] double slack(const Truth& truth, const std::optional<Certificate_value>& answer) {
@@ -159,7 +160,7 @@ template <class Truth>
     return truth.enclosure().slack(answer->tolerance);
 }
 
-/// One number to be climbed: an error in the units of its bound, or a share given away in units of 2^-10.
+/// One number to be maximised: an error in the units of its bound, or the slack of a tolerance in units of 2^-10.
 struct Climb {
     const char* name;
     std::size_t size;  ///< coordinates
@@ -194,14 +195,14 @@ double bicell_3_slack(const Numbers& x) {
 
 }  // namespace filter_errors
 
-/// What a stage may give away of a tolerance, in units of 2^-10. The filter takes off the errors of determinant and
-/// norms, each at most filter_slack of what it computed; what it computed may itself be off by as much again, and the
-/// last term is the second order.
+/// The allowed slack of a stage's tolerance, in units of 2^-10. The filter subtracts the errors of determinant and
+/// norms, each at most filter_slack of the computed value; the computed value may itself be off by as much again, and
+/// the last term is of second order.
 inline constexpr double filter_gives_away =
     1024 * (4 * bounds::filter_slack + 16 * bounds::filter_slack * bounds::filter_slack);
 inline constexpr double interval_gives_away = 1024 * bounds::interval_slack * (1 + 0x1p-40);
 
-/// All that is climbed. The names are those of worst_cases.cpp.
+/// All numbers that are maximised. The names are those of worst_cases.cpp.
 [[nodiscard]] inline const std::vector<Climb>& climbs() {
     using namespace filter_errors;
     static const std::vector<Climb> all{
@@ -254,8 +255,8 @@ double climb(Numbers& x, double reach, Random& random, int steps, Value value) {
     return best;
 }
 
-/// A place to climb from: anywhere, or where differences are just above 1 and a rounding error is largest beside the
-/// number.
+/// A start for climbing: anywhere, or where differences are just above 1 and a rounding error is largest relative to
+/// the number.
 [[nodiscard]] inline Numbers start(std::size_t n, std::size_t dimension, Random& random) {
     const auto near = [&random](double c) { return c * (1 + std::ldexp(unit(random), -integer(random, 1, 50))); };
     Numbers x(n);

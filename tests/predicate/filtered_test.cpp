@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each stage beside the next, and the filtered predicate made of them.
+// Each stage compared with the next, and with the filtered predicate made of them.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -28,12 +28,12 @@ void check_order(const Case& x) {
     HOLDS(!answers.interval || answers.interval->tolerance < top, x);
     HOLDS(!answers.filter || answers.filter->sign == answers.exact.sign, x);
     HOLDS(!answers.interval || answers.interval->sign == answers.exact.sign, x);
-    // Whoever certifies tightly also knows the sign.
+    // A correctly rounded tolerance comes with the sign.
     HOLDS(!answers.filter || answers.floating, x);
 }
 
 template <class Case>
-void check_ladder(const Case& x) {
+void check_stages(const Case& x) {
     const Answers answers = ask(x);
     const Certificate_value rest = answers.interval ? *answers.interval : answers.exact;
     HOLDS(same(all_stages(x, true), answers.filter ? *answers.filter : rest), x);
@@ -68,12 +68,12 @@ TEST_CASE("no stage gives more than the exact one", "[certificate]") {
     }));
 }
 
-TEST_CASE("the ladder gives the answer of its first stage that has one", "[certificate]") {
+TEST_CASE("the filtered predicate gives the answer of its first stage that has one", "[certificate]") {
     REQUIRE(for_all("on triangles", [](const Seed& seed) {
-        for_each_triangle(seed.random(), 4, [](const Triangle& t) { check_ladder(t); });
+        for_each_triangle(seed.random(), 4, [](const Triangle& t) { check_stages(t); });
     }));
     REQUIRE(for_all("on bi-cells", [](const Seed& seed) {
-        for_each_bicell(seed.random(), 4, [](const Bicell& c) { check_ladder(c); });
+        for_each_bicell(seed.random(), 4, [](const Bicell& c) { check_stages(c); });
     }));
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("each stage has inputs it answers", "[certificate]") {
     CHECK(all_stages(Bicell{{0, -1}, {0, 1}, {3, 0}, {-3, 0}}).stage == Stage::filter);
     CHECK(all_stages(Bicell{{0, -0x1p400}, {0, 0x1p400}, {0x1p402, 0}, {-0x1p402, 0}}).stage == Stage::interval);
     CHECK(all_stages(Bicell{{0, 0}, {1, 1}, {1, 0}, {0, 1}}).stage == Stage::exact);
-    // At both ends of the domain the interval stage scales so that it never needs help.
+    // The interval stage scales, so that it decides at both ends of the domain, too.
     for (const double x : {0x1p-1074, 0x1p-1060, 0x1p-1022, 0x1p498}) {
         INFO("x = " << as_code(x));
         CHECK(all_stages(Triangle{{0, 0}, {x, 0}, {0, x}}).stage == Stage::interval);

@@ -12,7 +12,7 @@ using namespace annulus::testing;
 
 namespace {
 
-/// Both ends against the truth, in rational numbers; `exact` is what the exact stage says.
+/// Compares both ends with the truth, in rational numbers; `exact` is the result of the exact stage.
 template <class Truth>
 void check_ends(const Half_width& h, const Half_width& exact, const Truth& truth) {
     CHECK(exact.stage == Stage::exact);

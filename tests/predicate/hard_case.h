@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One certificate as an array of points, the same for all four kinds.
+// One certificate as an array of points, in the same form for all four kinds.
 
 #include <annulus/predicate/exact_sign.h>
 #include <annulus/predicate/filtered.h>
@@ -34,7 +34,7 @@ template <int d, std::size_t k>
 }
 
 template <int d, std::size_t k>
-[[nodiscard]] Certificate_value ladder_verdict(const Case<d, k>& x) {
+[[nodiscard]] Certificate_value filtered_value(const Case<d, k>& x) {
     if constexpr (is_orientation<d, k>) return evaluate_orientation(tuple_of<d, k>(x));
     else return evaluate_empty_sphere(tuple_of<d, k>(x));
 }

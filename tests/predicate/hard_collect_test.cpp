@@ -24,7 +24,7 @@ constexpr int cases_of_family = 3000;
 constexpr int searches_of_family = 60;
 constexpr int limits_of_family = 3;  // of each limit
 
-/// Of a family, by stage and sign. Few orientations are hard.
+/// The number kept of a family, by stage and sign. Few orientations are hard.
 template <int d, std::size_t k>
 constexpr std::size_t kept_of_family = is_orientation<d, k> ? 7 : 3;
 
@@ -33,7 +33,7 @@ Case<2, 4> points_of(const Bicell& c) { return {c.a, c.b, c.p, c.q}; }
 Case<3, 4> points_of(const Tetrahedron& t) { return {t.a, t.b, t.c, t.d}; }
 Case<3, 5> points_of(const Bicell_3& c) { return {c.a, c.b, c.c, c.p, c.q}; }
 
-/// What the filtered predicate asks for before it gives a tolerance.
+/// The condition of the filtered predicate for returning a tolerance.
 bool is_legal(const Case<2, 3>&) { return true; }
 bool is_legal(const Case<3, 4>&) { return true; }
 bool is_legal(const Case<2, 4>& x) {
@@ -61,7 +61,7 @@ void print(const char* source, std::string_view family, double key, const Case<d
     std::printf("\n");
 }
 
-/// As in Hard_input, where there is a tolerance; else by the filter's margin, and what is degenerate by its size.
+/// As in Hard_input, where there is a tolerance; else the filter's margin, and for degenerate inputs the size.
 template <int d, std::size_t k>
 double key_of(const Case<d, k>& x, const Certificate_value& v) {
     const auto t = tuple_of<d, k>(x);
@@ -75,14 +75,14 @@ void print_hardest(std::string_view family, Make make) {
     std::map<std::tuple<Stage, int>, std::map<double, Case<d, k>>> hardest;
     for (int i = 0; i < cases_of_family; ++i) {
         const Case<d, k> x = make();
-        const Certificate_value v = ladder_verdict<d, k>(x);
+        const Certificate_value v = filtered_value<d, k>(x);
         auto& of = hardest[{v.stage, v.sign}];
         of.emplace(key_of<d, k>(x, v), x);
         if (of.size() > kept_of_family<d, k>) of.erase(std::prev(of.end()));
     }
     for (const auto& [where, of] : hardest)
         for (const auto& [key, x] : of)
-            print<d, k>(std::get<1>(where) == 0 ? "degenerate" : "family", family, key, x, ladder_verdict<d, k>(x));
+            print<d, k>(std::get<1>(where) == 0 ? "degenerate" : "family", family, key, x, filtered_value<d, k>(x));
 }
 
 /// Moves one coordinate from where the certificate holds to where it does not, and bisects for the last place at
@@ -91,25 +91,25 @@ template <int d, std::size_t k>
 bool print_limit(std::string_view family, const Case<d, k>& from, Stage last, Random& random) {
     const auto decides = [last](const Certificate_value& v) { return v.sign > 0 && v.stage <= last; };
     Case<d, k> in = from, out = from;
-    if (!decides(ladder_verdict<d, k>(in))) return false;
+    if (!decides(filtered_value<d, k>(in))) return false;
     double& c = out[random() % k][random() % static_cast<std::size_t>(d)];
     const std::size_t place = static_cast<std::size_t>(&c - &out[0][0]);
     double way = (random() % 2 == 0 ? 1 : -1) * 0x1p-20 * extent<d>(tuple_of<d, k>(from));
     const double start = c;
-    for (int i = 0; i < 60 && decides(ladder_verdict<d, k>(out)); ++i, way *= 2) {
+    for (int i = 0; i < 60 && decides(filtered_value<d, k>(out)); ++i, way *= 2) {
         c = start + way;
         if (!is_in_domain<d, k>(out) || !is_legal(out)) return false;
     }
-    if (decides(ladder_verdict<d, k>(out))) return false;
+    if (decides(filtered_value<d, k>(out))) return false;
     double& good = in[place / d][place % d];
     while (true) {
         const double middle = good / 2 + c / 2;
         if (middle == good || middle == c) break;
         Case<d, k> x = in;
         x[place / d][place % d] = middle;
-        (decides(ladder_verdict<d, k>(x)) ? good : c) = middle;
+        (decides(filtered_value<d, k>(x)) ? good : c) = middle;
     }
-    const Certificate_value v = ladder_verdict<d, k>(in), w = ladder_verdict<d, k>(out);
+    const Certificate_value v = filtered_value<d, k>(in), w = filtered_value<d, k>(out);
     if (v.stage != last || w.sign <= 0 || !is_legal(in) || !is_legal(out)) return false;
     print<d, k>("limit", family, key_of<d, k>(in, v), in, v);
     print<d, k>("limit", family, key_of<d, k>(out, w), out, w);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filtered predicate on the hard inputs that are kept in tests/data/hard, beside exact answers which the library
-// had no part in.
+// The filtered predicate on the hard inputs in tests/data/hard, compared with exact results computed without the
+// library.
 #include "hard_case.h"
 
 #include <support/catch.h>
@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& line, char at) {
 using Row = std::map<std::string, std::string>;
 
 std::vector<Row> rows_of(std::string_view name) {
-    std::string path = ANNULUS_HARD_INPUTS;  // g++ 12 warns of what + would inline
+    std::string path = ANNULUS_HARD_INPUTS;  // g++ 12 warns of the inlined operator+
     path.append("/").append(name).append(".csv");
     std::ifstream file(path);
     std::string line;
@@ -70,7 +70,7 @@ bool signs_agree_in_all_orders(const Case<d, k>& x, int sign) {
                 if (order[j] > order[i]) parity = -parity;
         Case<d, k> y;
         for (std::size_t i = 0; i < k; ++i) y[i] = x[order[i]];
-        if (ladder_verdict<d, k>(y).sign != parity * sign || sign_alone<d, k>(y) != parity * sign) return false;
+        if (filtered_value<d, k>(y).sign != parity * sign || sign_alone<d, k>(y) != parity * sign) return false;
     } while (std::next_permutation(order.begin(), order.end()));
     return true;
 }
@@ -87,13 +87,13 @@ void check_file() {
         all.push_back(x);
         const int sign = std::stoi(row.at("sign"));
         const double truth = number(row.at("tolerance"));
-        const Certificate_value v = ladder_verdict<d, k>(x);
+        const Certificate_value v = filtered_value<d, k>(x);
         CHECK(v.sign == sign);
         CHECK(std::string(name_of(v.stage)) == row.at("stage"));
         CHECK(v.tolerance <= truth);
         CHECK(v.tolerance >= (1 - 0x1p-9) * truth);
-        // Not soundness: what a bound of the filtered predicate allows it to say, bit for bit. A change on purpose
-        // calls for tests/data/hard/collect.
+        // Not soundness: the stored results of the filtered predicate, bit for bit. After an intended change run
+        // tests/data/hard/collect.
         CHECK(v.tolerance == number(row.at("certified")));
         const Certificate_value exact = exact_verdict<d, k>(x);
         CHECK(exact.sign == sign);
@@ -116,12 +116,12 @@ void check_file() {
 
 }  // namespace
 
-TEST_CASE("the ladder is right on the hard inputs that are kept, in the plane", "[certificate]") {
+TEST_CASE("the filtered predicate is right on the hard inputs that are kept, in 2D", "[certificate]") {
     check_file<2, 3>();
     check_file<2, 4>();
 }
 
-TEST_CASE("the ladder is right on the hard inputs that are kept, in space", "[certificate][space]") {
+TEST_CASE("the filtered predicate is right on the hard inputs that are kept, in 3D", "[certificate][space]") {
     check_file<3, 4>();
     check_file<3, 5>();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change half widths in 3D: the order of the points, the side a bi-cell is seen from, powers of two,
-// and translations that are exact. What must: nothing else is looked at.
+// Transformations that must not change half widths in 3D: the order of the points, the side from which a bi-cell is
+// seen, powers of two, and exact translations.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -48,7 +48,7 @@ TEST_CASE("the half widths of a bi-cell of space do not depend on how it is name
             }
             const Annuli a = annuli_exact(c.tuple()), turned = annuli_exact(c.turned().tuple()),
                          rotated = annuli_exact(c.rotated().tuple());
-            // b, a, c, q, p: ab | c.. stays, ca and bc change places. b, c, a: each takes the place before it.
+            // b, a, c, q, p: ab | c.. stays, ca and bc are exchanged. b, c, a: each moves to the place before it.
             HOLDS(
                 a.half_width[abc_pq] == turned.half_width[abc_pq] && a.half_width[ab_cpq] == turned.half_width[ab_cpq],
                 c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change when the same certificate is asked in another way.
+// Results that must not change when the same certificate is evaluated in another form.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>

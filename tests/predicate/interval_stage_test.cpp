@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tail of the interval stage on intervals so wide that each end shows which way it was rounded.
+// The tail of the interval stage on intervals so wide that each end shows its direction of rounding.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/predicate/interval_stage.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tolerance is what it says: points that stay closer than it to where they were never change the sign, and points
-// that go a little farther, the worst way, do.
+// The guarantee of a tolerance: points that move by less never change the sign, and points that move a little farther
+// in the worst directions do.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -34,7 +34,8 @@ double largest_coordinate(const Case& x) {
     return largest;
 }
 
-/// The tolerance is so large beside the spacing of doubles there that a ten-thousandth of it can be placed.
+/// Whether the tolerance is so large compared with the spacing of doubles there that a ten-thousandth of it is
+/// representable.
 template <class Case>
 bool has_room(const Case& x, double tolerance) {
     return tolerance > largest_coordinate(x) * 0x1p-35 && tolerance > 0x1p-1000;
@@ -76,7 +77,7 @@ void check_bicell(const Bicell& c, Random& random, Tried& tried) {
     const auto worst = worst_directions(c);
 
     for (int i = 0; i < 5; ++i) {
-        // The worst way first, then that of some points only, then any.
+        // The worst directions first, then those of some points only, then random ones.
         auto directions = worst;
         if (i == 1 || i == 2)
             for (Point& d : directions)
@@ -91,7 +92,7 @@ void check_bicell(const Bicell& c, Random& random, Tried& tried) {
     }
 
     const Bicell beyond = displaced(c, worst, 1.0001 * best.tolerance);
-    // Where an edge is short beside the tolerance, as much as a ten-thousandth of it undoes the convex position.
+    // Where an edge is short compared with the tolerance, a ten-thousandth of it destroys the convex position.
     if (!is_bicell(beyond) || !is_bicell(beyond.flipped())) return;
     HOLDS(sign_of(beyond) < 0, c);
     ++tried.outside;

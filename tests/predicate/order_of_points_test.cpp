@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A certificate is of its points, in whatever order a mesh happens to name them: six orders make the same bi-cell of
-// space.
+// A certificate does not depend on the order in which a mesh names its points: six orders make the same bi-cell in 3D.
 #include <support/cases.h>
 #include <support/catch.h>
 
@@ -31,7 +30,7 @@ bool is_bicell(const Tuple<3, 5>& x) {
     return orientation_exact({x[0], x[1], x[2], x[4]}).sign > 0 && orientation_exact({x[1], x[0], x[2], x[3]}).sign > 0;
 }
 
-/// Whether the tolerances of the six orders are one but for rounding, whatever stage they are of.
+/// Whether the tolerances of the six orders are equal up to rounding, whichever stages they come from.
 bool agree(const Five& x, Cell_widths cells) {
     double least = HUGE_VAL;
     double greatest = 0.0;
@@ -49,8 +48,8 @@ bool agree(const Five& x, Cell_widths cells) {
 }  // namespace
 
 TEST_CASE("The order of its points changes a bi-cell's tolerance by rounding alone", "[certificate][space][deep]") {
-    // One of the sums of lambda is 0 but for the last bits, and a cell is nearly flat. Whether its width is in the
-    // minimum is more than the first two stages can tell here in four of the six orders, and the first one in all
+    // One of the sums of lambda is 0 but for the last bits, and a cell is nearly flat. The first two stages cannot
+    // decide here in four of the six orders whether its width is in the minimum, and the first one cannot in all cases
     // below.
     const Five doubtful{{{0x1.fffffffffffffp+1, 0x1.8000000000001p+1, 0x1.fffffffffffffp-1},
                          {0x1.fffffffffffffp+0, 0x1.0000000000001p+1, 0x1p+0},

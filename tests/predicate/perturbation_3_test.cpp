@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbolic perturbation in 3D beside CGAL's own.
+// The symbolic perturbation in 3D compared with CGAL's.
 
 #include <annulus/predicate/perturbed_sign.h>
 
@@ -28,7 +28,7 @@ struct Reach_into : Cgal_triangulation {
     using Cgal_triangulation::side_of_oriented_sphere;
 };
 
-/// CGAL's answer for the same question: positive when p is outside the sphere of a, b, c, q, perturbed.
+/// CGAL's result: positive when p is outside the sphere of a, b, c, q, perturbed.
 int cgal_sign(const Bicell_3& c) {
     static const Reach_into t;
     return -t.side_of_oriented_sphere(cgal(c.a), cgal(c.b), cgal(c.c), cgal(c.q), cgal(c.p), true);
@@ -40,7 +40,7 @@ void check_like_cgal(const Bicell_3& c) {
     HOLDS(sign == cgal_sign(c), c);
     HOLDS(sign == perturbed_sign(c.turned().tuple()), c);
     HOLDS(sign == perturbed_sign(c.rotated().tuple()), c);
-    const std::vector<Point_3> copies{c.q, c.p, c.c, c.b, c.a};  // places decide, and not where they are kept
+    const std::vector<Point_3> copies{c.q, c.p, c.c, c.b, c.a};  // positions decide, not addresses
     HOLDS(sign == perturbed_sign({&copies[4], &copies[3], &copies[2], &copies[1], &copies[0]}), c);
 }
 

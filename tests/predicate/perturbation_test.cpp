@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The symbolic perturbation beside CGAL's own.
+// The symbolic perturbation compared with CGAL's.
 
 #include <annulus/predicate/perturbed_sign.h>
 
@@ -27,7 +27,7 @@ struct Reach_into : Cgal_triangulation {
     using Cgal_triangulation::side_of_oriented_circle;
 };
 
-/// CGAL's answer for the same question: positive when p is outside the circle of a, b, q, perturbed.
+/// CGAL's result: positive when p is outside the circle of a, b, q, perturbed.
 int cgal_sign(const Bicell& c) {
     static const Reach_into cgal_triangulation;
     return -cgal_triangulation.side_of_oriented_circle(cgal(c.a), cgal(c.b), cgal(c.q), cgal(c.p), true);
@@ -39,7 +39,7 @@ void check_like_cgal(const Bicell& c) {
     HOLDS(sign == cgal_sign(c), c);
     HOLDS(sign == perturbed_sign(c.turned().tuple()), c);
     HOLDS(sign == -perturbed_sign(c.flipped().tuple()), c);
-    const Points copies{c.q, c.p, c.b, c.a};  // places decide, and not where they are kept
+    const Points copies{c.q, c.p, c.b, c.a};  // positions decide, not addresses
     HOLDS(sign == perturbed_sign({&copies[3], &copies[2], &copies[1], &copies[0]}), c);
     // The circle of the positive triangle a b q has no first point.
     HOLDS(sign == cgal_sign({c.b, c.q, c.p, c.a}), c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same certificates give the same bits with every compiler, at every level of optimisation and under sanitizers.
-// What is computed is hashed and compared with what was computed once.
+// Results are hashed and compared with stored hashes.
 //
 // The points come from integers and powers of two alone, for a cosine may differ from one library to the next.
 
@@ -29,7 +29,7 @@ class Hash {
     void add(std::uint64_t word) {
         for (int i = 0; i < 64; i += 8) value_ = (value_ ^ (word >> i & 255U)) * 0x100000001b3U;
     }
-    /// Of what is no number the sign is nobody's.
+    /// The sign of NaN is not hashed.
     void add(double x) { add(std::isnan(x) ? std::uint64_t{0} : std::bit_cast<std::uint64_t>(x)); }
     void add(const Certificate_value& v) {
         add(v.tolerance);
@@ -96,7 +96,7 @@ void add_evaluated(Hash& hash, const std::vector<X>& x, More... more) {
     }
 }
 
-/// Everything that is computed of d + 1 and of d + 2 points.
+/// All results for d + 1 and for d + 2 points.
 template <int d>
 std::uint64_t hash_of_certificates(std::size_t each) {
     Hash hash;
@@ -109,7 +109,7 @@ std::uint64_t hash_of_certificates(std::size_t each) {
         std::vector<Tuple<d, d + 2>> bicells;
         for (const auto& x : points_of) {
             Tuple<d, d + 2> b = tuple_of<Tuple<d, d + 2>>(x);
-            // q on the positive side of the facet; what p is on the wrong side of is no bi-cell, but has a sign.
+            // q on the positive side of the facet; where p is on the wrong side this is not a bi-cell, but has a sign.
             Tuple<d, d + 1> cell;
             std::copy_n(b.begin(), d, cell.begin());
             cell[d] = b[d + 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stage that answers has the exact sign; the exact one always answers, with 0 just where the points are
+// Every stage that decides has the exact sign; the exact stage always decides, with 0 exactly where the points are
 // degenerate.
 
 #include <support/arbitrary.h>
@@ -49,7 +49,7 @@ void check_signs(const Bicell& c) {
     if (!circle.positive()) return;
     HOLDS(!circle.excludes(c.p) || truth > 0, c);
     HOLDS(!circle.contains(c.p) || truth < 0, c);
-    // All at once: never yes where one by one it is no, nor for a corner.
+    // All at once: never true where the single test is false, nor for a corner.
     const Coordinates<2> far{c.a[0] + 64.0 * (c.a[0] - c.p[0]), c.a[1] + 64.0 * (c.a[1] - c.p[1])};
     HOLDS(circle.excludes_all(c.p) == circle.excludes(c.p), c);
     HOLDS(!circle.excludes_all(c.p, far) || (circle.excludes(c.p) && circle.excludes(far)), c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No stage ever gives a tolerance above half the width, whatever the input.
+// No stage ever returns a tolerance above half the width, whatever the input.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -49,7 +49,7 @@ void check_bicell(const Bicell& c) {
 }
 
 /// Triangles as large as their frame allows, all coordinates with full mantissas: there the absolute error bound is
-/// smallest relative to the determinant, and what the roots and the quotient lose counts most.
+/// smallest relative to the determinant, and the rounding of the roots and the quotient counts most.
 Triangle fat_triangle(Random& random) {
     const auto near = [&random](double x) { return x + between(random, -1, 1) * 0x1p-6; };
     return {{near(0), near(0)}, {near(1), near(-1)}, {near(1), near(1)}};
@@ -103,7 +103,7 @@ TEST_CASE("no stage certifies more than half the width of the standard annulus",
     }));
 }
 
-TEST_CASE("the ladder as a whole is sound", "[certificate]") {
+TEST_CASE("the filtered predicate as a whole is sound", "[certificate]") {
     REQUIRE(for_all("on one triangle", [](const Seed& seed) {
         Random random = seed.random();
         const Triangle t = triangle(all_triangle_families[random() % all_triangle_families.size()], random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages in 3D: sound against rational numbers and MPFI, tight, one beside the next, in their
-// range.
+// The stages in 3D: soundness against rational numbers and MPFI, tightness, each stage compared with the next, their
+// ranges.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -131,11 +131,11 @@ TEST_CASE("which annuli are backward, and the cells that stand in for them", "[c
             HOLDS(
                 never.exact.wrong_side == truth && needed.exact.wrong_side == truth && always.exact.wrong_side == truth,
                 c);
-            // A stage may not be certain; then it says wrong-side.
+            // A stage may not be certain; then it reports the partition as on the wrong side.
             HOLDS(!needed.filter || (needed.filter->wrong_side & truth) == truth, c);
             HOLDS(!needed.interval || (needed.interval->wrong_side & truth) == truth, c);
             HOLDS(needed.exact.tolerance == (truth != 0 ? always : never).exact.tolerance, c);
-            // Cells count for a stage that is not certain, and only there.
+            // The widths of cells count for a stage that is not certain, and only then.
             const auto agrees = [&](auto stage) {
                 const std::optional<Certificate_value>& v = needed.*stage;
                 if (!v || v->sign < 0) return true;
@@ -160,7 +160,7 @@ TEST_CASE("which annuli are backward, and the cells that stand in for them", "[c
     }));
 }
 
-TEST_CASE("the ladder in space gives the answer of its first stage that has one", "[certificate][space]") {
+TEST_CASE("the filtered predicate in 3D gives the answer of its first stage that has one", "[certificate][space]") {
     REQUIRE(for_all("on tetrahedra and bi-cells", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
             const Answers a = ask(t);

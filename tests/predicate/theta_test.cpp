@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The angle of a bi-cell beside MPFR's.
+// The angle of a bi-cell compared with MPFR's.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -93,7 +93,7 @@ TEST_CASE("theta of the smallest numbers", "[certificate]") {
 }
 
 TEST_CASE("known angles", "[certificate]") {
-    // The sine is accurate, so that a right angle is good to half the digits only.
+    // The sine is accurate, so that a right angle is accurate to half the digits only.
     CHECK(theta({0, 0}, {1, 1}, {1, 0}, {0, 1}) == Approx(half_turn).margin(3e-8));  // a square
     CHECK(theta({0, 0}, {1, 0}, {0.5, -1}, {0.5, 1}) == half_turn);                  // a kite
     CHECK(theta({0, 0}, {1, 0}, {0, -1}, {2, 1}) == Approx(std::numbers::pi / 4).epsilon(1e-15));

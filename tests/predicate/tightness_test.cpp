@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No stage that answers gives away more than it says: a tolerance of 0 would be sound too.
+// The slack of a stage that decides is at most the stated one: a tolerance of 0 would be sound, too.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -18,8 +18,8 @@ using namespace annulus::testing;
 
 namespace {
 
-/// The filter takes off det_error and norm_error, each at most filter_slack of what it computed; what it computed may
-/// itself be too small (determinant) or too large (roots) by as much again. The last unit is the second order.
+/// The filter subtracts det_error and adds norm_error, each at most filter_slack of the computed value; the computed
+/// value may itself be too small (determinant) or too large (roots) by as much again. The last unit is of second order.
 constexpr double filter_gives_away = 4 * bounds::filter_slack + 16 * bounds::filter_slack * bounds::filter_slack;
 /// The interval stage compares the ends of its answer.
 constexpr double interval_gives_away = bounds::interval_slack * (1 + 0x1p-40);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `annulus-tests '[.climb]'` looks for worse ones (ANNULUS_CLIMB_STEPS, 20000 unless told) and prints them as lines
+// `annulus-tests '[.climb]'` searches for worse ones (ANNULUS_CLIMB_STEPS, by default 20000) and prints them as lines
 // for this list; so do the climbs of every run. Replace the line of the same name.
 #include "worst_cases.h"
 

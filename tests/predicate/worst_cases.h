@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The greatest errors that any climb has found, kept.
+// The greatest errors that any climb has found.
 
 #include "filter_errors.h"
 
@@ -17,14 +17,14 @@ struct Worst_case {
 
 [[nodiscard]] const std::vector<Worst_case>& worst_cases();
 
-/// The greatest value kept of a climb.
+/// The greatest stored value of a climb.
 [[nodiscard]] double greatest_kept(std::string_view climb);
 
-/// A line of worst_cases.cpp, printed when x is worse than what is kept there. True if it is.
+/// Prints a line for worst_cases.cpp and returns true if x is worse than the stored case.
 bool report_if_worse(std::string_view climb, double reached, const Numbers& x);
 
-/// Climbs `name` twice from anywhere and returns the greatest value found, NaN if that is above the bound. Prints
-/// what is worse than the kept worst case.
+/// Climbs `name` twice from random starts and returns the greatest value found, NaN if that is above the bound. Prints
+/// cases that are worse than the stored one.
 [[nodiscard]] double climb_from_anywhere(std::string_view name, std::size_t dimension, int steps, Random& random);
 
 }  // namespace annulus::testing

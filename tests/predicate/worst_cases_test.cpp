@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kept worst cases are as bad as they were, bit for bit, and within the bounds.
+// The stored worst cases still reach their values, bit for bit, and are within the bounds.
 #include "worst_cases.h"
 
 #include <support/catch.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tolerance from both sides, exactly: whatever two hyperplanes or spheres the points of a certificate are squeezed
-// between, 0.9999 of the tolerance is not enough to make it fail, and 1.001 of it is, between the nearest two. Places
-// are rational numbers, so there is room for a ten-thousandth of any tolerance.
+// A tolerance from both sides, exactly: for all pairs of hyperplanes or spheres between which the points of a
+// certificate are squeezed, 0.9999 of the tolerance is not enough to make it fail, and for the nearest pair 1.001 of it
+// is. Positions are rational numbers, so a ten-thousandth of any tolerance is representable.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
@@ -52,13 +52,13 @@ Tuple<d, static_cast<int>(n)> tuple(const Corners<d, n>& x) {
     return t;
 }
 
-/// What was tried of certificates that hold, and what came of 1.001 tolerances.
+/// Counts of the certificates that were tried, and of the results of 1.001 tolerances.
 struct Tried {
     int simplices = 0, bicells = 0;  ///< with a tolerance
-    int inverted = 0;                ///< bi-cells whose sphere is empty still, but no longer that of two cells
+    int inverted = 0;                ///< bi-cells whose sphere is still empty, but of cells that are not both positive
     int by_cells = 0;                ///< bi-cells in 3D whose tolerance is a width of their cells'
-    int turned = 0;                  ///< of them, those whose sphere was no longer empty, too
-    std::vector<double> further{};   ///< the least annuli of those that were not, in tolerances
+    int turned = 0;                  ///< of these, those whose sphere was no longer empty, too
+    std::vector<double> further{};   ///< the least annuli of the others, in tolerances
     void print(const char* what) {
         further.push_back(1);
         std::sort(further.begin(), further.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// tolerance_strategy_rounding_test.cpp for the strategy `paper`: what it writes down is rounded in the safe direction,
-// to the last bit.
+// As tolerance_strategy_rounding_test.cpp, for the strategy `paper`: numbers that it stores are rounded in the safe
+// direction, to the last bit.
 
 #include <engine/strategy_session.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's algorithm: Delaunay at the fixed positions whatever tolerances are worth, and at the moving ones if
-// they are certified.
+// The paper's algorithm: Delaunay at the fixed positions even with unsound tolerances, and at the moving positions if
+// tolerances are certified.
 
 #include <annulus/moving_mesh.h>
 
@@ -41,7 +41,7 @@ std::set<std::vector<Index>> cells_of(const Moving_mesh<d>& mesh) {
     return cells;
 }
 
-/// The same cells, at the positions where tolerances are measured from.
+/// The same cells, at the fixed positions.
 template <int d>
 bool delaunay_at_fixed(const Moving_mesh<d>& mesh) {
     Audit_input<d> input = mesh.audit_input();
@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE_SIG("The paper's filter keeps the mesh Delaunay at its fixed 
 
 TEST_CASE("A vertex that meets another on the way of the paper's queue is refused, and nothing has changed",
           "[published]") {
-    // 3 goes where 2 has come to within its tolerance: that is found out once 3 is there.
+    // 3 moves to where 2 has moved within its tolerance: this is detected only when 3 is there.
     const Place_list<2> home{{2, 0}, {1, 1}, {0, 1}, {2, 2}};
     Moving_mesh<2> mesh(std::span<const Coordinates<2>>(home), paper<2>(Tolerance_kind::certified));
     const Coordinates<2> near{0.0093125, 0.979563};

@@ -104,7 +104,7 @@ TEST_CASE("the report is well formed, complete and alone") {
     CHECK(well_formed(html));
     CHECK(html.starts_with("<!DOCTYPE html>\n"));
     CHECK(contains(html, "<h1>A &lt;title&gt; &amp; &quot;more&quot;</h1>"));
-    CHECK(occurrences(html, "<script") == 1);  // ours: what sorts tables
+    CHECK(occurrences(html, "<script") == 1);  // our own, which sorts tables
     CHECK(contains(html, "&lt;script&gt;alert(1)"));
     for (const char* part : {"12,345", "certified", "rebuild &amp; co", "step 2: &lt;cells&gt; differ",
                              "The strategies disagree", "iteration 10", "Figure &lt;8&gt;", "caption &amp;",
@@ -266,7 +266,7 @@ TEST_CASE("a linear axis has ticks at steps of one, two or five") {
 TEST_CASE("numbers for people do not follow the locale of the host", "[io][report][deep]") {
     const Temporary_directory directory;
     const std::string before = std::setlocale(LC_NUMERIC, nullptr);
-    if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {  // few machines have one: it is made
+    if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) {  // few machines have it, so it is generated
         const std::string made = (directory.path() / "de_DE.UTF-8").string();
         if (std::system(("localedef -i de_DE -f UTF-8 " + made + " >/dev/null 2>&1").c_str()) == 0) {
             ::setenv("LOCPATH", directory.path().c_str(), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims, pages and parts of the reproduction, from records that are made up.
+// Claims, pages and parts of the reproduction, from artificial records.
 #include <annulus/arithmetic/error.h>
 #include <annulus/reproduction/checkpoints.h>
 #include <annulus/reproduction/claims.h>
@@ -119,14 +119,14 @@ TEST_CASE("Verdicts follow the numbers") {
         return r;
     };
     Benchmark_record benchmark = made_up();
-    benchmark.steps = 1000;  // the four that were followed stand for all
+    benchmark.steps = 1000;  // the four that were followed count for all
     benchmark.contenders[1].name = "paper-printed";
     CHECK(verdict(with(benchmark), "It outperforms rebuilding for every") == Claim_verdict::differs);
     for (double& s : benchmark.contenders[1].seconds) s /= 10;
     CHECK(verdict(with(benchmark), "It outperforms rebuilding for every") == Claim_verdict::agrees);
     Reproduction whole = with(benchmark);
     Benchmark_record movers = made_up();
-    movers.name = "movers-plane-1";  // twenty steps, however long the others are
+    movers.name = "movers-plane-1";  // twenty steps, whatever the length of the others
     whole.benchmarks.emplace(movers.name, movers);
     CHECK(verdict(whole, "It outperforms rebuilding for every") == Claim_verdict::agrees);
     movers.name = "nodt-sphere";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's algorithms as printed: right in 2D, what they count, rounding and costs.
+// The paper's algorithms as printed: correctness in 2D, counts, rounding and costs.
 #include <annulus/engine/displacement.h>
 #include <annulus/reproduction/delimiter_side.h>
 #include <annulus/reproduction/operations.h>

@@ -44,7 +44,7 @@ Benchmark_record small() {
     return benchmark;
 }
 
-/// Removes one element of every list of numbers in turn; how many there are.
+/// Removes one element of every list of numbers in turn; returns the number of lists.
 int without_one(const nlohmann::json& whole, const nlohmann::json::json_pointer& at) {
     int lists = 0;
     const nlohmann::json& here = whole.at(at);

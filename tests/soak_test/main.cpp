@@ -22,7 +22,7 @@ std::vector<Case> all_cases() {
     return cases;
 }
 
-/// Empty parts of MOTION/STRATEGY/DIM stand for all.
+/// Empty parts of MOTION/STRATEGY/DIM select all.
 bool matches(const Case& c, const std::string& pattern) {
     const std::size_t first = pattern.find('/');
     const std::size_t second = first == std::string::npos ? first : pattern.find('/', first + 1);
@@ -58,7 +58,7 @@ bool report(const std::string& program, const Case& c, const Outcome& o, double 
     return o.fault.empty();
 }
 
-// Not CLI11: it would cost the tests more than all of this.
+// Not CLI11, which would take longer to compile than all of this.
 struct Arguments {
     std::string only;
     std::uint64_t seed = 1;
@@ -77,10 +77,10 @@ constexpr std::string_view usage =
     "  --steps   instead of as many as cost about the same\n"
     "  --points  instead of 40 to 400; at least 8\n"
     "  --audits  (50) how often a run is looked at, about; changes nothing in it\n"
-    "  --calls   insertions, removals, single moves, settle and refused calls in between\n"
+    "  --calls   insertions, removals, single moves, recompute_tolerances and refused calls in between\n"
     "  --list    print the combinations and stop\n";
 
-/// False where they make no sense.
+/// False for combinations that make no sense.
 bool parse(int argc, char* argv[], Arguments& a) {
     const auto number = [](const char* text, std::uint64_t least, std::uint64_t& value) {
         const char* const end = text + std::strlen(text);

@@ -83,7 +83,7 @@ class Runner {
         outcome_.flips += report.flips;
     }
 
-    /// What stands at a free index means nothing.
+    /// The position at a free index is ignored.
     [[nodiscard]] Places asked_for() {
         Places x = motion_.positions();
         for (std::size_t i = 0; i < x.size(); ++i)
@@ -141,7 +141,7 @@ class Runner {
             case 0: count(dt_.recompute_tolerances(), 0); break;
             case 1:
             case 2:
-                // Far below the size that it began with, and never to nothing.
+                // Down to far below the initial size, but never to zero.
                 if (!live_[i] || dt_.number_of_vertices() < 8) break;
                 dt_.remove(handles_[i]);
                 live_[i] = false;
@@ -179,7 +179,8 @@ class Runner {
         if (dt_.index(handles_[i]) != static_cast<Index>(i)) throw Fault{"an insertion took another index"};
     }
 
-    /// Calls that must be refused and change nothing, late enough that something might have changed by then.
+    /// Calls that must be refused and change nothing; the fault is late in the call, so that changes could have
+    /// happened.
     void refused_call(std::size_t i) {
         if (!live_[i]) return;
         std::size_t other = 0;
@@ -210,7 +211,7 @@ class Runner {
         return cells;
     }
 
-    /// Everything that is asked here is const.
+    /// Calls const members only.
     void look() {
         ++outcome_.audits;
         const Moving& dt = dt_;
@@ -252,11 +253,11 @@ class Runner {
 
 template <int d>
 Outcome run_in(const Case& c) {
-    // Every combination has numbers of its own, and the dimension and the setting do not change the motion's.
+    // Every combination has its own random numbers; dimension and setting do not change those of the motion.
     return Runner<d>(c, Random(c.seed * 1000003 + static_cast<std::uint64_t>(c.motion))).run();
 }
 
-/// Most vertices leave their tolerance at most steps, or one goes so far that all have to be looked at.
+/// Whether most vertices leave their tolerance at most steps, or one moves so far that all must be tested.
 bool is_rough(Motion_kind kind) {
     switch (kind) {
         case Motion_kind::growth:
@@ -273,7 +274,7 @@ bool is_rough(Motion_kind kind) {
     }
 }
 
-/// Microseconds a vertex and step, about.
+/// Approximate microseconds per vertex and step.
 double cost(const Case& c) {
     const bool plane = c.dimension == 2;
     switch (c.setting.strategy) {

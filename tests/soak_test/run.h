@@ -13,7 +13,7 @@
 
 namespace annulus::soak {
 
-/// A way to keep the triangulation right, and its name.
+/// An update strategy with its settings, and its name.
 struct Setting {
     std::string_view name;
     Strategy strategy;
@@ -30,7 +30,7 @@ inline constexpr std::array<Setting, 9> all_settings{{
     {"in-place", Strategy::in_place},
 }};
 
-/// What to run. All that happens is a function of it, but for `audits`, which only looks.
+/// A case to run. The whole run is a function of it, except of `audits`, which changes nothing.
 struct Case {
     testing::Motion_kind motion{};
     Setting setting{};
@@ -40,7 +40,7 @@ struct Case {
     std::size_t points = 0;
     bool calls =
         false;  ///< insertions, removals, single moves and recompute_tolerances() in between, and refused calls
-    std::uint64_t audits = 0;  ///< how often it is looked at in all
+    std::uint64_t audits = 0;  ///< total number of audits
 
     [[nodiscard]] std::string name() const;
 };
@@ -48,19 +48,19 @@ struct Case {
 struct Outcome {
     std::uint64_t steps = 0;
     std::uint64_t audits = 0;
-    std::uint64_t refused = 0;  ///< duplicate points that the motion brought about, rightly refused
+    std::uint64_t refused = 0;  ///< duplicate points of the motion, correctly refused
     std::uint64_t asked = 0;
     std::uint64_t within = 0;
     std::uint64_t flips = 0;
     std::uint64_t degenerate = 0;  ///< audits that met cospherical bi-cells
-    std::string fault;             ///< empty, or the first one: what and at which step
+    std::string fault;             ///< empty, or the first fault and its step
 };
 
 /// Runs until the end or the first fault.
 [[nodiscard]] Outcome run(const Case& c);
 
-/// Points and steps where none are asked for: 50,000 steps where most vertices stay within their tolerance, elsewhere
-/// what takes a second or two. Functions of the case and its seed alone: no clock decides what a run does.
+/// The default numbers of points and steps: 50,000 steps where most vertices stay within their tolerance, elsewhere as
+/// many as take a second or two. Functions of the case and its seed alone: no clock influences a run.
 void choose_size(Case& c);
 
 }  // namespace annulus::soak

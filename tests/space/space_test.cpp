@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sites are told apart by vertex and label; places are subtracted coordinate by coordinate, over any type.
+// Sites are compared by vertex and label; positions are subtracted coordinate by coordinate, over any type.
 #include <annulus/space/places.h>
 
 #include <support/catch.h>
@@ -13,7 +13,7 @@ using namespace annulus;
 
 namespace {
 
-// Nothing takes a vertex for a site, or a site for a vertex; without labels a site is as large.
+// Vertices and sites do not convert to each other; without labels a site is as large as a vertex.
 static_assert(sizeof(Site<2>) == sizeof(Index) && sizeof(Site<3>) == sizeof(Index));
 static_assert(!std::is_convertible_v<Index, Site<3>> && !std::is_convertible_v<Site<3>, Index>);
 static_assert(std::is_constructible_v<Site<3>, Index> && std::is_trivially_copyable_v<Site<3>>);

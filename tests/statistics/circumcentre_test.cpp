@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Circumcentres against rational numbers: |centre - x|^2 is the same for every corner, solved by Cramer's rule there.
+// Circumcentres compared with rational numbers: |centre - x|^2 is the same for every corner, solved by Cramer's rule.
 #include <annulus/arithmetic/error.h>
 #include <annulus/statistics/circumcentre.h>
 #include <support/catch.h>
@@ -37,7 +37,7 @@ struct Seen {
     int computed = 0, exact = 0;
 };
 
-/// Compares, and notes whether it was good enough in doubles.
+/// Compares, and counts whether doubles were accurate enough.
 template <int d>
 void check(Corners<d> x, Seen& seen) {
     std::vector<Row> m(d, Row(d));
@@ -58,7 +58,7 @@ void check(Corners<d> x, Seen& seen) {
         return;
     }
     const Circumcentre<d> c = circumcentre<d>(x, scale);
-    if (!std::isfinite(c.error)) return;  // beyond the doubles, and said to be
+    if (!std::isfinite(c.error)) return;  // out of the range of doubles, and reported as such
     mpq_class off = 0;
     double length = 0;
     for (std::size_t k = 0; k < d; ++k) {

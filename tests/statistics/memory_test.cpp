@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much memory there is and was, from files as Linux has them, and from none.
+// Available and peak memory, from files like those of Linux, and without such files.
 #include <annulus/statistics/memory.h>
 
 #include <formats/temporary_directory.h>
@@ -52,7 +52,7 @@ TEST_CASE("Memory that is available is what the machine has, and the control gro
     CHECK(available(meminfo, "3000000\n", "-") == of_machine);
     CHECK(available(meminfo, "3000000\n", "1000000\n") == 2'000'000);
     CHECK(available(meminfo, "90000000000000\n", "1000000\n") == of_machine);
-    // Nothing is left, which is not that nothing is known.
+    // No memory is left, which differs from unknown.
     CHECK(available(meminfo, "3000000\n", "3000000\n") == 1);
     CHECK(available(meminfo, "3000000\n", "4000000\n") == 1);
     CHECK(available("-", "-", "-") == 0);

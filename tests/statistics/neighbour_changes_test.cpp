@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who became whose neighbour, against the edges of triangulations that are rebuilt.
+// Changes of neighbours, compared with the edges of triangulations that are rebuilt.
 #include <annulus/moving_mesh.h>
 #include <annulus/statistics/neighbour_changes.h>
 #include <support/catch.h>
@@ -93,8 +93,7 @@ struct Crowd {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of triangulations built anew", "[statistics]", ((int d), d), 2,
-                       3) {
+TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of fresh triangulations", "[statistics]", ((int d), d), 2, 3) {
     for (const Strategy strategy :
          {Strategy::automatic, Strategy::tolerances, Strategy::tolerances_each, Strategy::paper_hybrid,
           Strategy::rebuild, Strategy::relocate, Strategy::relocate_flips, Strategy::in_place}) {
@@ -106,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("Pairs made and broken are those of triangulations built 
             Pairs before;
             std::uint64_t changed = 0;
             for (int frame = 0; frame < 30; ++frame) {
-                // From nothing to a crowd, and back to a few: flat sets too.
+                // From no points to many, and back to a few: flat sets, too.
                 for (std::size_t k = random() % 5; k > 0; --k) crowd.come();
                 if (frame > 20)
                     for (std::size_t k = random() % 6; k > 0 && crowd.points.size() > 1; --k) crowd.go();
@@ -150,7 +149,7 @@ TEST_CASE("In the plane a flip breaks one pair and makes one", "[statistics]") {
         CHECK(static_cast<std::uint64_t>(std::count_if(said.begin(), said.end(),
                                                        [=](const auto& c) { return c.made == made; })) == report.flips);
     CHECK(changes.take().empty());
-    // There and back between two looks is nothing.
+    // A pair made and broken between two calls of take() is not reported.
     for (const Coordinates<2>& p : {Coordinates<2>{1, 1.1}, Coordinates<2>{1, 0.9}}) {
         const Move_report back = mesh.move(2, p);
         changes.note(back.changed, back.gone);

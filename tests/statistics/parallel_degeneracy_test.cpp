@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several threads find what one finds, and tell it in the same order.
+// Several threads have the same results as one, in the same order.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/motion/generated_points.h>
@@ -14,7 +14,7 @@ using namespace annulus;
 
 namespace {
 
-/// Everything that was found, in the order in which it was told.
+/// All results, in the order of the calls.
 template <int d>
 std::vector<double> everything(const Corner_table<d>& t, const std::vector<Coordinates<d>>& x, int threads) {
     std::vector<double> said;

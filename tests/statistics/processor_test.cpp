@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a processor is called, from what Linux says of it on several architectures.
+// The name of a processor, from /proc/cpuinfo of several architectures.
 #include <annulus/statistics/processor.h>
 
 #include <support/catch.h>

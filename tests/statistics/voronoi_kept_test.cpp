@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voronoi volumes that are kept against those that are recomputed, bit for bit, and against cells cut out in
-// rational numbers.
+// Voronoi volumes kept from step to step, compared with those that are recomputed, bit for bit, and with cells cut out
+// in rational numbers.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
 #include <annulus/statistics/voronoi_kept.h>
@@ -54,7 +54,7 @@ Index any_vertex(const Moving_mesh<d>& mesh, Random& random) {
     return i;
 }
 
-/// Something that happens to a mesh. What it refuses leaves it as it was, perhaps with other cells.
+/// A random change of a mesh. A refused change leaves it as it was, perhaps with other cells.
 template <int d>
 void change(Moving_mesh<d>& mesh, Random& random) {
     const double by = std::ldexp(1.0, -static_cast<int>(random() % 12));
@@ -87,7 +87,7 @@ void change(Moving_mesh<d>& mesh, Random& random) {
                 mesh.move(movers, goals);
                 break;
             }
-            case 5: {  // where another is, half of the time
+            case 5: {  // at another vertex, half of the time
                 const Index i = any_vertex(mesh, random);
                 const auto& other = mesh.points()[static_cast<std::size_t>(any_vertex(mesh, random))];
                 mesh.move(i, random() % 2 == 0 ? other : near<d>(other, by, random));
@@ -107,7 +107,7 @@ void change(Moving_mesh<d>& mesh, Random& random) {
     }
 }
 
-/// On a sphere, all of them, and their centre.
+/// Points on a sphere, and its centre.
 template <int d>
 Points_of<d> cospherical() {
     Points_of<d> x{Coordinates<d>{}};
@@ -140,8 +140,9 @@ constexpr std::array strategies{Strategy::rebuild,   Strategy::relocate,   Strat
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Kept volumes are those computed anew, bit for bit, whatever happens to a mesh, dimension",
-                       "[statistics][voronoi]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG(
+    "Kept volumes are those of a fresh computation, bit for bit, whatever happens to a mesh, dimension",
+    "[statistics][voronoi]", ((int d), d), 2, 3) {
     for (int round = 0; round < repeats(2); ++round)
         for (const Strategy strategy : strategies) {
             Random random(static_cast<std::uint64_t>(100 + round));
@@ -208,18 +209,17 @@ TEMPLATE_TEST_CASE_SIG("Of many volumes those around few movers are computed, an
         CHECK(same_bits(volumes, voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
     }
     for (auto& p : x)
-        for (double& c : p) c /= 2;  // of which no certificate knows
+        for (double& c : p) c /= 2;  // without evaluating any certificate
     CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
     CHECK(kept.computed() == x.size());
-    // Another unit, in which nobody else has moved.
+    // Another unit, although no other vertex has moved.
     x[0] = {100, 0};
     mesh.rebuild(x);
     CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "Volumes that memory ran out for, or for whose mesh it did, are those computed anew later, dimension",
-    "[statistics][voronoi]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Volumes that memory ran out for, or for whose mesh it did, are computed later, dimension",
+                       "[statistics][voronoi]", ((int d), d), 2, 3) {
     Random random(13);
     Points_of<d> x = inputs<d>(random)[0];
     x.resize(40);
@@ -268,7 +268,7 @@ TEMPLATE_TEST_CASE_SIG(
 }
 
 TEMPLATE_TEST_CASE_SIG(
-    "Volumes that were refused are computed anew, and a mesh outlives those that were kept, dimension",
+    "Volumes that were refused are computed again, and a mesh outlives those that were kept, dimension",
     "[statistics][voronoi]", ((int d), d), 2, 3) {
     Points_of<d> x = grid<d>();
     Delaunay_mesh<d> mesh;
@@ -278,7 +278,7 @@ TEMPLATE_TEST_CASE_SIG(
         (void)kept.update(x);
         const std::size_t middle = d == 2 ? 12 : 13;
         const Coordinates<d> here = x[middle];
-        x[middle][0] += 100;  // out of the hull, of which no certificate knows
+        x[middle][0] += 100;  // out of the hull, without evaluating any certificate
         REQUIRE_THROWS_AS(kept.update(x), Error);
         REQUIRE_THROWS_AS(voronoi_volumes<d>(x, mesh.cells(x, x.size())), Error);
         x[middle] = here;

@@ -17,8 +17,8 @@ struct Half_plane {
     Number a, b, c;
 };
 
-/// Beyond every corner of a bounded cell of points in the coordinate domain: coordinates are multiples of 2^-1074
-/// below 2^501, and corners quotients of polynomials of degree 4 and 3 in them.
+/// A bound beyond every corner of a bounded cell of points in the coordinate domain: coordinates are multiples of
+/// 2^-1074 below 2^501, and corners quotients of polynomials of degree 4 and 3 in them.
 const Number& far_away() {
     static const Number x = Number(mpz_class(1) << 6500);
     return x;
@@ -53,7 +53,7 @@ class Polygon {
         }
         return twice / 2;
     }
-    /// A corner is still where the square was cut by nothing, and there is an area.
+    /// Whether a corner of the square is still there and the area is positive.
     [[nodiscard]] bool unbounded() const {
         return std::any_of(corners_.begin(), corners_.end(),
                            [](const Corner& p) { return abs(p[0]) == far_away() || abs(p[1]) == far_away(); }) &&
@@ -106,7 +106,7 @@ std::optional<mpq_class> exact_cell(std::span<const Coordinates<3>> points, std:
         volume +=
             square * facet.area() / (6 * abs(n[k]));  // height |n| / 2, area over the projection |n| / |n_k|, a third
     }
-    // All on a line: bisectors that nothing cuts are unbounded. No other point at all: nothing was asked.
+    // All on a line: bisectors that are not cut are unbounded. Also for a single point.
     if (others.empty()) return std::nullopt;
     return volume;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds that come with a facet's terms, against the terms in rational numbers: circumcentres are off by as
-// much as they say.
+// The error bounds of a facet's terms, compared with the terms in rational numbers: circumcentres are off by as much as
+// their bounds allow.
 #include <annulus/statistics/voronoi_terms.h>
 #include <support/cases.h>
 #include <support/catch.h>
@@ -62,7 +62,7 @@ struct Scene {
         for (std::size_t k = 0; k < d; ++k) out[k] += truth[c][k];
         return out;
     }
-    /// What the facet adds to the vertices: by edge, as the head of voronoi_terms.h begins.
+    /// The terms that the facet adds to the vertices: by edge, as at the beginning of voronoi_terms.h.
     [[nodiscard]] std::vector<mpq_class> terms() const {
         std::vector<mpq_class> out(x.size());
         const auto& facet = facet_of<d>[cells.opposite];
@@ -81,7 +81,7 @@ struct Scene {
     }
 };
 
-/// Numbers below 1 of few magnitudes, some of them 0 or alike.
+/// Numbers below 1 of few magnitudes, some of them 0 or equal.
 template <int d>
 Coordinates<d> vector(Random& random, double size) {
     Coordinates<d> out;
@@ -90,7 +90,7 @@ Coordinates<d> vector(Random& random, double size) {
     return out;
 }
 
-/// `off`: by how much circumcentres are, relative to where they are; all of it in one coordinate, or in several.
+/// `off`: the relative error of circumcentres, in one coordinate or spread over several.
 template <int d>
 Scene<d> scene(Random& random, std::size_t opposite, double reach, double off, double size) {
     Scene<d> s{{}, {}, {}, {opposite}, 1};
@@ -128,7 +128,7 @@ double check(const Scene<d>& s) {
     for (std::size_t v = 0; v < s.x.size(); ++v) {
         const mpq_class off = abs(mpq_class(sum[v].volume) - truth[v]);
         CAPTURE(v, sum[v].volume, sum[v].error, truth[v].get_d(), off.get_d());
-        // What the bound leaves to is_good().
+        // The rest that the bound leaves to is_good().
         REQUIRE(off <= mpq_class(sum[v].error) * mpq_class(1 + 0x1p-40));
         if (sum[v].error > 0) most = std::max(most, mpq_class(off / mpq_class(sum[v].error)).get_d());
     }

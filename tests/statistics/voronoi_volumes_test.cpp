@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Areas and volumes of Voronoi cells against cells that are cut out in rational numbers (voronoi_oracle.h), over
+// Areas and volumes of Voronoi cells compared with cells that are cut out in rational numbers (voronoi_oracle.h), for
 // points of every kind.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/moving_mesh.h>
@@ -23,7 +23,7 @@ namespace {
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// |volume - truth| <= relative |truth|, and what it says at the ends of the doubles.
+/// |volume - truth| <= relative |truth|, and the guarantee at the ends of the range of doubles.
 bool is_near(double volume, const mpq_class& truth, double relative) {
     if (!std::isfinite(volume)) return false;
     if (volume == largest && truth > mpq_class(largest)) return true;
@@ -46,7 +46,7 @@ std::vector<std::size_t> cells_around(const Mesh_cells<d>& cells, Index v) {
     return out;
 }
 
-/// Both ways to a volume, each vertex of x.
+/// Both methods for a volume, at each vertex of x.
 template <int d>
 Voronoi_counts check_all(const Points_d<d>& x) {
     const Mesh_cells<d> cells = cells_of<d>(x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A shared library with annulus in it.
+// A shared library that contains annulus.
 #include <annulus/moving_mesh.h>
 
 int vertices_of_a_triangle() {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What RapidCheck draws. A case carries the seed it came from and prints itself as C++ code, because RapidCheck's own
-// reproduce strings do not work through Catch. Nothing shrinks here, because a smaller seed is no simpler case;
-// programs of calls shrink by themselves (fuzz/common/shrink.h).
+// Generators for RapidCheck. A case carries its seed and prints itself as C++ code, because RapidCheck's reproduce
+// strings do not work through Catch. These cases do not shrink, because a smaller seed is not a simpler case; programs
+// of calls have their own shrinker (fuzz/common/shrink.h).
 
 #include <support/generators.h>
 #include <support/properties.h>

@@ -8,7 +8,7 @@
 
 namespace annulus::testing {
 
-/// What each of four threads says, all at once.
+/// The results of four threads that run at the same time.
 template <class Say>
 auto at_once(const Say& say) {
     constexpr int threads = 4;

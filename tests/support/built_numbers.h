@@ -4,7 +4,7 @@
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/certificates.h>
 
-#include "common/table_cells.h"
+#include <common/table_cells.h>
 
 #include <support/catch.h>
 
@@ -18,8 +18,8 @@ namespace annulus::testing {
 
 using oracle::glued;
 
-/// What `builder` builds of the points x, which are in general position: for each corner of each cell its vertex, and
-/// the corner beyond the facet opposite to it; for each vertex, and infinity, a corner.
+/// The result of `builder` for the points x, which are in general position: for each corner of each cell its vertex,
+/// and the corner beyond the facet opposite to it; for each vertex, and infinity, a corner.
 template <int d>
 std::vector<Index> built_numbers(Builder<d>& builder, std::span<const Coordinates<d>> x, int threads) {
     std::vector<Index> all(x.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Loops over random cases, without RapidCheck: what fails prints its seed, and programs shrink by themselves.
+// Loops over random cases, without RapidCheck: a failing case prints its seed, and programs have their own shrinker.
 
 #include <support/catch.h>
 #include <support/generators.h>
@@ -35,7 +35,7 @@ void for_each_seed(int n, Check check) {
     }
 }
 
-/// Point sets of a dimension, for what is the same in both.
+/// Point sets by dimension, for tests that are the same in 2D and 3D.
 template <int d>
 using Set_of = std::conditional_t<d == 2, Family, Set_3>;
 template <int d>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Catch2, 2 or 3, under the names that both have, or that are given to both here. Tests include this and nothing of
-// Catch2's.
+// Catch2, version 2 or 3, under names that both have or that are defined here for both. Tests include this header and
+// none of Catch2.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else
@@ -27,7 +27,7 @@ inline std::uint32_t run_seed() {
 #endif
 }
 
-/// Has a string these words in it?
+/// Whether a string contains this text.
 inline auto contains(const std::string& words) {
 #if CATCH_VERSION_MAJOR >= 3
     return Catch::Matchers::ContainsSubstring(words);

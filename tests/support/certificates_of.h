@@ -18,7 +18,7 @@ struct Certificates_of {
     std::vector<std::array<Index, d + 2>> bicells;  ///< facet.., p, q with q on the positive side
 };
 
-/// Of positively oriented cells that triangulate a convex body, found by comparing facets.
+/// The certificates of positively oriented cells that triangulate a convex body, found by comparing facets.
 template <int d>
 [[nodiscard]] Certificates_of<d> certificates_of(const std::vector<std::array<Index, d + 1>>& cells) {
     struct Facet {
@@ -72,7 +72,7 @@ template <int d>
     return out;
 }
 
-/// The points that a certificate names.
+/// The points of a certificate.
 template <int d, std::size_t n>
 [[nodiscard]] std::array<Coordinates<d>, n> points_of(const std::array<Index, n>& names,
                                                       const std::vector<Coordinates<d>>& x) {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
-// CGAL's containers lose a block when there is no memory to enter it in their list of blocks. Nothing of ours is
-// among them.
+// CGAL's containers leak a block when there is no memory to enter it in their list of blocks. None of these leaks is in
+// annulus.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:CGAL::Compact_container"; }
 
@@ -54,7 +54,7 @@ static void* allocate(std::size_t size, std::size_t alignment) noexcept {
 
 }  // namespace annulus::testing
 
-// ThreadSanitizer's runtime has these itself and tolerates no others; no test of memory runs there.
+// ThreadSanitizer's runtime defines these itself and tolerates no others; no memory test runs there.
 #if defined(__has_feature)
 #if __has_feature(thread_sanitizer)
 #define ANNULUS_KEEPS_NEW

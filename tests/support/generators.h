@@ -2,8 +2,8 @@
 #pragma once
 
 // Point sets, bi-cells and triangles that are hard for floating-point geometry. All is a function of the state of a
-// std::mt19937_64 (no standard distribution is used), so a seed means the same case on every platform. What RapidCheck
-// needs is in arbitrary.h; this header needs nothing but the standard library.
+// std::mt19937_64 (no standard distribution is used), so a seed gives the same case on every platform. The RapidCheck
+// part is in arbitrary.h; this header needs only the standard library.
 
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/predicate/certificate_value.h>
@@ -83,7 +83,7 @@ struct Bicell {
     [[nodiscard]] Tuple<2, 4> tuple() const { return {&a, &b, &p, &q}; }
     /// Seen from the other side: the same bi-cell.
     [[nodiscard]] Bicell turned() const { return {b, a, q, p}; }
-    /// The other diagonal. A bi-cell of its own when the four points are in convex position.
+    /// The other diagonal, also a bi-cell when the four points are in convex position.
     [[nodiscard]] Bicell flipped() const { return {p, q, b, a}; }
 };
 

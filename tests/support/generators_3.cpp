@@ -76,8 +76,8 @@ void turn(Five& x, Random& random) {
     }
 }
 
-/// Five points of the family in no particular order, but with what is special about an edge or a facet where
-/// `facet` says: then x = a, b, c, p, q up to the orientation.
+/// Five points of the family in no particular order; if the family concerns an edge or a facet, `facet` is set, and x =
+/// a, b, c, p, q up to the orientation.
 Five five(Family_3 family, Random& random) {
     Five x{};
     const auto each = [&x](auto make) {
@@ -209,7 +209,7 @@ Five five(Family_3 family, Random& random) {
     return x;
 }
 
-/// True when x is made into the points of a bi-cell by turning its facet round if need be.
+/// Reverses the facet if necessary; true when x then has the points of a bi-cell.
 bool arrange(Five& x) {
     const int q = exact_orientation(x[0], x[1], x[2], x[4]);
     if (q == 0 || exact_orientation(x[0], x[1], x[2], x[3]) != -q) return false;

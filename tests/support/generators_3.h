@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Bi-cells and tetrahedra of space that are hard for floating-point geometry, as generators.h for the plane.
+// 3D bi-cells and tetrahedra that are hard for floating-point geometry, like generators.h in 2D.
 
 #include <support/generators.h>
 
@@ -72,7 +72,7 @@ inline constexpr std::array all_families_3{Family_3::uniform,
 
 /// A bi-cell of the family, both cells positive. About half of them have an empty sphere.
 [[nodiscard]] Bicell_3 bicell(Family_3 family, Random& random);
-/// The same with the sphere empty or, where the points are cospherical, not inhabited.
+/// The same with an empty sphere, or with cospherical points.
 [[nodiscard]] Bicell_3 delaunay_bicell(Family_3 family, Random& random);
 /// Four points of the family, of either orientation or degenerate.
 [[nodiscard]] Tetrahedron tetrahedron(Family_3 family, Random& random);

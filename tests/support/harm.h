@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The moves that do most harm to a whole triangulation, and what its tolerances promise against them. In 2D
-// and in 3D.
+// The worst moves for a whole triangulation, and the guarantees of its tolerances against them. In 2D and in 3D.
 
 #include <support/certificates_of.h>
 #include <support/point_sets_3.h>
@@ -26,9 +25,9 @@ struct Harm {
     double half_width;                      ///< rounded to nearest
 };
 
-/// Of every cell, bi-cell and ridge; nothing where points are flat. A bi-cell is given its annuli: its cells are
-/// certificates of their own. With T = double half widths may be far off where they are small beside the points'
-/// distances.
+/// The nearest squeezes of every cell, bi-cell and ridge; none where points are flat. For a bi-cell only its annuli:
+/// its cells are separate certificates. With T = double half widths may be far off where they are small beside the
+/// points' distances.
 template <int d, class T>
 [[nodiscard]] std::vector<Harm<d>> harms(const Audit_input<d>& input) {
     std::vector<Harm<d>> out;
@@ -49,7 +48,7 @@ template <int d, class T>
     return out;
 }
 
-/// For every vertex where its tightest certificate is squeezed to; no direction where it has none.
+/// For every vertex the direction in which its tightest certificate is squeezed; none where it has no certificate.
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> harmful_directions(const std::vector<Harm<d>>& all, std::size_t n) {
     std::vector<Coordinates<d>> direction(n);
@@ -76,13 +75,14 @@ template <std::size_t d>
     return p;
 }
 
-/// Certificates that were undone by a little more than the tolerances of their vertices, and all that were tried.
+/// The number of certificates that fail under moves slightly beyond the tolerances of their vertices, and of all that
+/// were tried.
 struct Undone {
     int triangulations = 0, certificates = 0, tight = 0;
 };
 
-/// Settled tolerances against the worst moves, certificate by certificate and all at once. No vertex index may be
-/// free.
+/// Recomputed tolerances against the worst moves, certificate by certificate and all at once. Precondition: no free
+/// index.
 template <class Moving, class Points>
 void check_worst_moves(const Points& x, const Options& options, Undone& undone) {
     constexpr int d = Moving::dimension_of_space;
@@ -108,8 +108,8 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
         };
         HOLDS(passes(squeezed(0.9999)), x);
         ++undone.certificates;
-        // It decides the tolerance of all its vertices, as the tightest of all does. A fifth of a per cent is given
-        // away.
+        // It determines the tolerance of all its vertices, as the tightest of all does. The slack is a fifth of a per
+        // cent.
         bool tight = true;
         for (const Index v : h.vertices) {
             HOLDS(s[static_cast<std::size_t>(v)] <= h.half_width * (1 + 0x1p-50), x);
@@ -135,9 +135,9 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
     }
 }
 
-/// Empty, or which certificate could be undone within what the tolerances leave: they say how far each vertex may be
-/// from its fixed position, all at the same time, so that in every certificate one at least has no more room than
-/// half the width there is now.
+/// Empty, or a certificate that could fail within the tolerances. A tolerance is how far each vertex may be from its
+/// fixed position, all at the same time, so that in every certificate at least one vertex has no more room left than
+/// the present half width.
 template <class Moving>
 [[nodiscard]] std::string room_fault(const Moving& dt) {
     constexpr int d = Moving::dimension_of_space;

@@ -13,7 +13,7 @@ namespace annulus::testing {
 template <int d>
 using Points_d = std::vector<Coordinates<d>>;
 
-/// A grid, leaning: cospherical here and there, and no two points at one place.
+/// A sheared grid: partly cospherical, without duplicate points.
 template <int d>
 Points_d<d> grid() {
     Points_d<d> x;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Motions that go on for as long as one asks, in 2D and in 3D. A seed means the same motion for ever; how
-// long it runs, how often it is looked at and which strategy follows it changes nothing in it.
+// Motions of any number of steps, in 2D and in 3D. A seed always gives the same motion; its length, the audits and the
+// strategy that follows it do not change it.
 
 #include <support/generators.h>
 
@@ -16,10 +16,10 @@ namespace annulus::testing {
 enum class Motion_kind {
     shear,         ///< x += rate * y, back where the shear has become large
     rotation,      ///< as a whole, about an axis
-    drift,         ///< everybody straight on, reflected by the walls of the box
-    common_drift,  ///< the whole goes away, a little of it at a pace of its own
-    breathing,     ///< every axis swells and shrinks at a pace of its own
-    orbits,        ///< everybody on a circle of its own
+    drift,         ///< all points move straight, reflected by the walls of the box
+    common_drift,  ///< all points move away together, a few at their own pace
+    breathing,     ///< every axis swells and shrinks at its own pace
+    orbits,        ///< every point on its own circle
     flow,          ///< a steady divergence-free flow
     reversal,      ///< a drift that turns round every 4,094 to 4,098 steps
     acceleration,  ///< a drift from 1e-9 to 1e-1 spacings a step, and again
@@ -88,7 +88,7 @@ class Long_motion {
         return x_;
     }
 
-    /// Another point at index i, as if it had always been there. Returns its position.
+    /// Puts another point at index i, as if it had been there from the beginning. Returns its position.
     const Place& renew(std::size_t i) {
         members_[i].home = anywhere();
         start(i);
@@ -252,7 +252,7 @@ class Long_motion {
         }
     }
 
-    /// Where a kind that is a function of time is now; the home under the others.
+    /// The present position for a kind that is a function of time; for others the first position.
     [[nodiscard]] Place at_present(std::size_t i) const {
         const Member& m = members_[i];
         Place p = m.home;
@@ -279,7 +279,7 @@ class Long_motion {
                 return p;
             }
             case Motion_kind::growth: {
-                // A little slower at one end than at the other, or nothing would ever flip.
+                // A little slower at one end than at the other, else there would be no flips.
                 for (std::size_t k = 0; k < d; ++k)
                     p[k] = (p[k] + 0.02 * std::sin(omega_ * time_ * m.rate + m.phase)) * std::exp2(logarithm_);
                 return p;
@@ -309,7 +309,7 @@ class Long_motion {
         Place ignored{};
         return reflected(shifted(p, direction(), spacings * spacing_), ignored);
     }
-    /// Back into the box, and the velocity turned where it met a wall.
+    /// Moves a point back into the box, and reflects its velocity at the wall.
     [[nodiscard]] static Place reflected(Place p, Place& velocity) {
         for (std::size_t k = 0; k < d; ++k) {
             if (p[k] >= 0 && p[k] <= 1) continue;
@@ -359,7 +359,7 @@ class Long_motion {
     std::vector<std::size_t> movers_;
 };
 
-/// The kind of that name.
+/// The kind with that name.
 [[nodiscard]] inline std::optional<Motion_kind> motion_named(std::string_view name) {
     for (const Motion_kind kind : all_motions)
         if (name_of(kind) == name) return kind;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What half the width of a certificate really is, by two ways that share nothing with the library nor with each other:
-// rational comparisons that are exact, and MPFI enclosures built the way one would draw it (feet of altitudes, centre
-// of the annulus where two bisectors meet).
+// The true half width of a certificate, by two methods that share nothing with the library or with each other: exact
+// rational comparisons, and MPFI enclosures of the geometric construction (feet of altitudes, centre of the annulus
+// where two bisectors meet).
 
 #include <support/generators.h>
 

@@ -24,7 +24,7 @@ Vector cross(const Vector& u, const Vector& v) {
 
 constexpr long precision = 500;
 
-/// sqrt(x), rounded outward. A fraction of two integers as large as a double's squares' squares fits no double.
+/// sqrt(x), rounded outward. A fraction of integers as large as fourth powers of doubles does not fit in a double.
 Enclosure root_of(const mpq_class& x) {
     const auto enclosed = [](const mpz_class& z) {
         Enclosure e(0, precision);

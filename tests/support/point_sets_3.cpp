@@ -37,7 +37,7 @@ Points_3 of_norm(int norm) {
     return points;
 }
 
-/// One more point of the family; those it has are hints of where.
+/// One more point of the family, placed relative to the existing ones.
 Place point_of(Set_3 set, const Points_3& have, Random& random) {
     switch (set) {
         case Set_3::uniform: return uniform(random);
@@ -70,7 +70,7 @@ Place point_of(Set_3 set, const Points_3& have, Random& random) {
         }
         case Set_3::rough_sphere: {
             Place p = on_sphere(random);
-            if (!have.empty() && random() % 2 == 0) {  // near one that is there
+            if (!have.empty() && random() % 2 == 0) {  // near an existing one
                 const double share = std::ldexp(1.0, -integer(random, 1, 4));
                 for (std::size_t k = 0; k < 3; ++k) p[k] = have[0][k] + share * (p[k] - have[0][k]);
                 const double r = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);

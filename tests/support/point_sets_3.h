@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Point sets of space that are hard to triangulate and harder to keep triangulated.
+// 3D point sets that are hard to triangulate, and harder to keep triangulated while they move.
 
 #include <support/generators.h>
 

@@ -17,8 +17,8 @@ struct Seed {
 };
 inline void showValue(const Seed& s, std::ostream& out) { out << "seed " << s.value; }
 
-/// rc::check of a property. It has one type for all of them, so that what RapidCheck instantiates for a property is
-/// compiled once, in properties.cpp, and not for each lambda: that was two thirds of what a file of tests compiled to.
+/// rc::check of a property. All properties have the same type here, so that RapidCheck's templates are compiled once,
+/// in properties.cpp, and not for each lambda: they were two thirds of the code of a file of tests.
 bool for_all(const std::string& what, const std::function<void(const Seed&)>& property);
 bool for_all(const std::string& what, const std::function<void()>& property);
 bool for_all(const std::function<void(const Seed&)>& property);

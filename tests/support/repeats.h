@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// How often a test repeats what it would repeat n times, at least once: ANNULUS_TEST_MULTIPLIER times n. Properties of
-/// RapidCheck follow the same variable (main.cpp); a loop that draws its own cases asks here.
+/// The number of repetitions of a loop that has n by default: ANNULUS_TEST_MULTIPLIER times n, at least 1. Properties
+/// of RapidCheck follow the same variable (main.cpp); loops that draw their own cases call this function.
 inline int repeats(int n) {
     static const double multiplier = [] {
         const char* given = std::getenv("ANNULUS_TEST_MULTIPLIER");

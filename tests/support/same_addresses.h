@@ -6,9 +6,9 @@
 
 namespace annulus::testing {
 
-/// CGAL removes a vertex of space in an order that depends on addresses, and with it go the numbers of cells. So that
-/// a seed means the same run, the program starts again without the randomisation of addresses, where the system allows
-/// it; else it goes on as it is. To be called first of all: what was printed or opened before would be twice.
+/// In 3D CGAL fills the hole of a removed vertex in an order that depends on addresses, and so do the numbers of cells.
+/// So that a seed gives the same run, the program starts again without address randomisation where the system allows
+/// it; otherwise it continues. Call it first: output or files from before would occur twice.
 inline void same_addresses_every_time(char* argv[]) {
     const int persona = personality(0xffffffff);
     if (persona == -1 || (persona & ADDR_NO_RANDOMIZE) != 0) return;

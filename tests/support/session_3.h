@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A moving 3D triangulation beside a model that knows what it must hold after every call: the one of the fuzz
-// targets.
+// A moving 3D triangulation with a model of its required state after every call: the one of the fuzz targets.
 
 #include "../../fuzz/common/program.h"
 

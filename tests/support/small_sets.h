@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A few points near what is degenerate, in 2D and in 3D, at any distance from it.
+// A few points at any distance from a degenerate configuration, in 2D and in 3D.
 
 #include <support/generators.h>
 
@@ -13,7 +13,7 @@ enum class Small_set { uniform, near_sphere, near_grid, near_flat, spindle };
 inline constexpr std::array all_small_sets{Small_set::uniform, Small_set::near_sphere, Small_set::near_grid,
                                            Small_set::near_flat, Small_set::spindle};
 
-/// n points in [-1, 3]^d, each off what the set is named after by up to `off` in every coordinate.
+/// n points in [-1, 3]^d, each off the configuration that names the set by up to `off` in every coordinate.
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> small_set(Small_set set, std::size_t n, double off, Random& random) {
     const auto noise = [&] { return off * between(random, -1, 1); };

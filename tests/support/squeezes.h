@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The worst that can happen to a certificate. A determinant vanishes when its points are on one hyperplane, or on one
-// sphere; the least effort is to squeeze them onto the median of two parallel hyperplanes, or of two concentric
-// spheres, that pass through the parts A and B of a partition (docs/theory.md 2). Here every such pair is found from
-// its definition, in 2D and in 3D, in rational numbers or, where a direction is all that is wanted, in
-// doubles. Nothing is shared with the library.
+// The worst moves of a certificate. A determinant vanishes when its points are on one hyperplane, or on one sphere; the
+// smallest such move squeezes them onto the median of two parallel hyperplanes, or of two concentric spheres, that pass
+// through the parts A and B of a partition (docs/theory.md 2). Here every such pair is computed from its definition, in
+// 2D and in 3D, in rational numbers or, where only a direction is needed, in doubles. Nothing is shared with the
+// library.
 
 #include <annulus/arithmetic/coordinates.h>
 
@@ -24,7 +24,7 @@ namespace annulus::testing {
 template <class T, int d>
 using Vector_of = std::array<T, static_cast<std::size_t>(d)>;
 
-/// Places of points, exactly, times some power of two.
+/// Exact positions of points, times some power of two.
 template <int d, std::size_t n>
 using Places = std::array<Vector_of<mpz_class, d>, n>;
 template <int d, std::size_t n>
@@ -37,7 +37,7 @@ using Root_of = std::conditional_t<std::is_same_v<T, double>, double, mpf_class>
 template <class T, int d, std::size_t n>
 struct Squeeze {
     unsigned part;          ///< A: the points whose bits are set
-    bool inner;             ///< spheres, and A is on the inner one
+    bool inner;             ///< for spheres: whether A is on the inner one
     Root_of<T> half_width;  ///< half the distance between the two
     /// Unit vectors from each point to the median, as doubles: off by a few units in their last place.
     Points_of_certificate<d, n> direction;
@@ -130,7 +130,7 @@ std::array<Vector_of<T, d>, n> relative(const Points_of_certificate<d, n>& x, in
 inline void scale(double& x, int exponent) { x = std::ldexp(x, exponent); }
 inline void scale(mpf_class&, int) {}
 
-/// Differences inside the two parts, the first point of each, and no more than that of the partition.
+/// Differences inside the two parts, and the first point of each: all that is needed of the partition.
 template <class T, int d, std::size_t n>
 struct Parts {
     std::array<Vector_of<T, d>, n - 2> rows;

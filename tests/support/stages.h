@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Every stage of the filtered predicate asked on its own, and loops over the families of generators.h.
+// Every stage of the filtered predicate evaluated separately, and loops over the families of generators.h.
 
 #include <support/generators.h>
 
@@ -21,7 +21,7 @@
 
 namespace annulus::testing {
 
-/// What each stage says of one certificate; nothing when it leaves the answer to the next.
+/// The result of each stage for one certificate; none when the stage does not decide.
 struct Answers {
     std::optional<Certificate_value> filter;
     std::optional<Certificate_value> floating;  ///< the filter with certified = false
@@ -46,14 +46,14 @@ template <class Filter, class Interval, class Exact>
     return a;
 }
 
-/// Of an orientation, in 2D or in 3D.
+/// The stages of an orientation, in 2D or in 3D.
 template <class Points>
 [[nodiscard]] Answers ask_orientation(const Points& x) {
     return ask_stages([&](bool certified, Certificate_value& v) { return orientation_filter(x, certified, v); },
                       [&](Certificate_value& v) { return orientation_interval(x, v); },
                       [&] { return orientation_exact(x); });
 }
-/// Of an empty sphere; in 3D `cells` says whose widths enter.
+/// The stages of an empty sphere; in 3D `cells` selects the cells whose widths count.
 template <class Points, class... Cells>
 [[nodiscard]] Answers ask_empty_sphere(const Points& x, Cells... cells) {
     return ask_stages(

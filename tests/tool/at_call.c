@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/* Preloaded into the tool by tool.py: a signal that comes at a place of the program, and not at a time.
+/* Preloaded into the tool by tool.py: sends a signal at a point of the program, not at a time.
  *
  * ANNULUS_AT="SIGNAL COUNT CALL [PART]": the process sends itself SIGNAL before its COUNT-th CALL on a file whose path
  * has PART in it, and goes on. CALL is the name of one of the functions below, without at, at2, 64 or data, or
- * `change` for all that change files, or `clock` for a look at a clock. ANNULUS_AT_RANK: only in that process of
+ * `change` for all that change files, or `clock` for a call of a clock. ANNULUS_AT_RANK: only in that process of
  * mpirun. ANNULUS_THREADS=N: beside the first one so many threads are there at once, and no more.
  * C, because what is preloaded comes before the libraries of C++.
  */

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus degeneracy` and looks at what comes out. usage: test_degeneracy.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Runs `annulus degeneracy` and checks its output. usage: test_degeneracy.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
 import random

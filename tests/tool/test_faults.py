@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faults of the machine: full disks, no memory, no standard output, signals at any place.
+"""Faults of the machine: full disks, no memory, no standard output, signals at any point.
 
 usage: test_faults.py --tool=PATH [CLASS[.METHOD]...]
 """
@@ -33,7 +33,7 @@ class Faults(ToolTest):
                       ["counterexample"]]
 
     def every_call(self, *options):
-        """Every subcommand with `options`, which stand before the motion of compare."""
+        """Every subcommand with `options`, which come before the motion of compare."""
         yield from (words + list(options) for words in self.calls)
         yield ["compare", *options, "--", *LLOYD]
 
@@ -105,7 +105,7 @@ class Faults(ToolTest):
 
 
     def test_threads_that_cannot_be_had(self):
-        """Fewer do the same."""
+        """Fewer threads give the same results."""
         self.succeed("generate", "uniform", "--points", 20000, "--dim", 3, "--output", "many.xyz")
         for words, file in ((["lloyd", "--points", "20000", "--iterations", "2"], "final.vtu"),
                             (["degeneracy", "many.xyz"], "degeneracy.json"),
@@ -123,7 +123,7 @@ class Signals(ToolTest):
     LONG = ["lloyd", "--points", "300", "--iterations", "100000000", "--audit", "0"]
 
     def interrupted(self, number, *words, partial="out.partial", steps=r"[1-9]\d*"):
-        """At one of the looks at a clock of which every step has some, and starting has few."""
+        """Interrupts at one of the calls of the clock, of which every step has some and the start has few."""
         done = self.run_tool(*words, env=tool.at(number, 1000, "clock"))
         self.assertEqual((done.returncode, done.stdout), (-number, ""))
         self.assertRegex(done.stderr,
@@ -166,9 +166,8 @@ class Signals(ToolTest):
         self.assertEqual(self.listing(), [])
 
     def test_killed_at_any_change(self):
-        """The old directory or the new one, whole, under its name; what else is left is hidden and does not disturb.
-        Before each call that changes a file, and there is no other time that could be told from these by what is
-        left."""
+        """The old directory or the new one is complete under its name; other remains are hidden and do not disturb.
+        Kills before each call that changes a file; all other times leave the same files as one of these."""
         words = ["lloyd", "--points", "60", "--iterations", "2", "--quiet", "--output", "out"]
         for target in ("new", "old"):
             for number in (signal.SIGKILL, signal.SIGTERM):

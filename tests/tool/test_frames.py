@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What replay, lloyd and nodt write of every frame: --every, --voronoi, --changes.
+"""The output of replay, lloyd and nodt for every frame: --every, --voronoi, --changes.
 
 usage: test_frames.py --tool=PATH [CLASS[.METHOD]...]"""
 
@@ -54,8 +54,8 @@ def delaunay_pairs(points):
 
 
 def voronoi_areas(points):
-    """Of {id: point} of the plane: the area of each cell, None of those that leave a box far away. By clipping with
-    bisectors, in rationals."""
+    """The area of each cell of {id: point} in 2D, None for cells that leave a far box. By clipping with bisectors, in
+    rationals."""
     far = Fraction(10) ** 9
     exact = {i: [Fraction(c) for c in p] for i, p in points.items()}
     areas = {}
@@ -80,7 +80,7 @@ def voronoi_areas(points):
 
 
 def wander(d, frames, points, seed, step=0.03):
-    """Frames as {id: point}: points wander, some leave, others come; ids are no indices."""
+    """Frames as {id: point}: points walk, some leave, others arrive; ids are not indices."""
     dice = random.Random(seed)
     place = lambda: [dice.randrange(UNIT) / UNIT for _ in range(d)]
     now = {3 * i + 7: place() for i in range(points)}
@@ -94,7 +94,7 @@ def wander(d, frames, points, seed, step=0.03):
                 del now[dice.choice(sorted(now))]
         for _ in range(dice.randrange(3)):
             now[fresh] = place()
-            fresh -= 1  # an id less than those that came before
+            fresh -= 1  # an id below the earlier ones
     return result
 
 
@@ -147,7 +147,7 @@ class Frames(tool.ToolTest):
                     self.check_changes(pairs)
 
     def test_without_arrivals_as_many_pairs_break_as_are_made_inside_of_the_hull(self):
-        """T1 transitions: a frame of four outer points that rest holds the hull."""
+        """T1 transitions: four outer points at rest keep the hull."""
         dice = random.Random(8)
         outer = {1000 + i: list(p) for i, p in enumerate([(-9, -9), (9, -9), (9, 9), (-9, 9)])}
         inner = {i: [dice.random(), dice.random()] for i in range(40)}
@@ -368,7 +368,7 @@ class Frames(tool.ToolTest):
 
 class Degeneracy(tool.ToolTest):
     def motion(self):
-        """A grid that is shaken more and more; the numbers of its frames are 10, 20 .."""
+        """A grid that is perturbed more and more; the numbers of its frames are 10, 20 .."""
         dice = random.Random(1)
         rows = ["frame,id,x,y"]
         for f in range(5):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus generate` and reads what it writes. usage: test_generate.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Runs `annulus generate` and reads its output. usage: test_generate.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import gzip
 import math

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Formats that are read, and faults in them. usage: test_inputs.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Input formats, and faults in them. usage: test_inputs.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import bz2
 import gzip
@@ -167,7 +167,7 @@ class Inputs(ToolTest):
 
 
 class Columns(ToolTest):
-    """What was taken for what; and what cannot be what it would be taken for by its place."""
+    """The columns that were taken; and columns that cannot be what their position suggests."""
 
     ATOMS = [(0.5, 0.25, 0.125), (1.5, 0.25, 0.125), (0.5, 1.25, 0.125), (0.5, 0.25, 1.125)]
 
@@ -188,7 +188,7 @@ class Columns(ToolTest):
                 self.assertRegex(self.refuse(3, *command, "a.xyz"), rf"\Aannulus: a.xyz:{line}: .*{words}.*; expected ")
 
     def test_where_it_is_said_what_columns_are(self):
-        """The same four atoms, however they stand in the file, and what the tool says that it took."""
+        """The same four atoms in different layouts, and the tool's report of the columns that it took."""
         box = "ITEM: BOX BOUNDS ff ff ff\n0 2\n0 2\n0 2\n"
         dump = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\n" + box + "ITEM: ATOMS id "
         half = "".join(f"{i + 1} 9 9 {x / 2} {y / 2} {z / 2}\n" for i, (x, y, z) in enumerate(self.ATOMS))
@@ -222,7 +222,7 @@ class Columns(ToolTest):
 
 
 class Kinds(ToolTest):
-    """Files that are not what their names say."""
+    """Files whose content does not match their names."""
 
     CSV = "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n"
 
@@ -256,7 +256,7 @@ class Kinds(ToolTest):
         self.succeed("sweep", "a.toml", "--output", "sums", "--quiet")
 
     def test_a_file_without_end(self):
-        """Under a bound on memory that reading on would reach at once."""
+        """With a memory limit that reading on would exceed at once."""
         for name, command in (("a.csv", ["replay"]), ("a.xyz", ["degeneracy"]), ("a.off", ["degeneracy"]),
                               ("a.ply", ["degeneracy"]), ("a.mesh", ["audit"]), ("b.mesh", ["nodt", "--mesh"]),
                               ("a.stl", ["nodt", "-n", "50", "--surface"]),

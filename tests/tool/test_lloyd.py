@@ -55,7 +55,7 @@ class Domains(ToolTest):
             self.run_in("--domain", "ring.xyz")
             files.add((self.here / "out" / "final.mesh").read_bytes())
             self.assertEqual(len(files), 1, name)
-        # A point in what a lost corner would take away.
+        # A point in the part that a lost corner would remove.
         self.xyz("square.xyz", [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])
         self.xyz("points.xyz", [(0.1, 0.1), (0.2, 0.1), (0.1, 0.3), (0.9, 0.8), (0, 0), (1, 1)])
         self.succeed("lloyd", "--input", "points.xyz", "--domain", "square.xyz", "--iterations", "3", "--audit", "1",

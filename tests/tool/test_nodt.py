@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus nodt` and looks at what comes out. usage: test_nodt.py --tool=PATH --meshes=DIR [CLASS[.METHOD]...]"""
+"""Runs `annulus nodt` and checks its output. usage: test_nodt.py --tool=PATH --meshes=DIR [CLASS[.METHOD]...]"""
 
 import csv
 import json
@@ -59,10 +59,10 @@ class Nodt(tool.ToolTest):
             return list(csv.DictReader(file))
 
     def check_mesh(self, exact_volume, relative):
-        """The domain's cells fill the domain, meet facet to facet, and are a triangulation in the whole's."""
+        """The domain's cells fill the domain, meet facet to facet, and are cells of the whole triangulation."""
         points, cells = self.tetrahedra("domain.mesh")
         everything = self.tetrahedra("final.mesh")
-        number = {p: i for i, p in enumerate(everything[0])}  # there are vertices that no cell of the domain has
+        number = {p: i for i, p in enumerate(everything[0])}  # some vertices are in no cell of the domain
         self.assertLessEqual({tuple(number[points[i]] for i in c) for c in cells}, set(everything[1]))
         self.assertEqual(sorted(points, key=number.get), points)
         for c in everything[1]:
@@ -90,7 +90,7 @@ class Nodt(tool.ToolTest):
         self.assertLess(max(math.hypot(*p) for p in points), 1 + 1e-12)
         self.assertEqual(len(cells), after["cells"])
         on_surface = sum(math.hypot(*p) > 1 - 1e-12 for p in points)
-        self.assertGreater(on_surface, 0.9 * after["boundary"])  # one that has just got there is not projected yet
+        self.assertGreater(on_surface, 0.9 * after["boundary"])  # new ones are not projected yet
         rows = self.rows()
         self.assertEqual([int(r["iteration"]) for r in rows], list(range(1, 13)))
         self.assertLess(float(rows[-1]["displacement_mean"]), float(rows[0]["displacement_mean"]))
@@ -190,8 +190,8 @@ class Nodt(tool.ToolTest):
             self.assertGreater(float(row["annulus_width_mean"]), float(row["tolerance_mean"]))
 
     def test_compare_strategies_that_disagree(self):
-        """Five points near a sphere within the paper's tolerances keep cells that are wrong (docs/theory.md 3), and
-        right again where they go home."""
+        """Five points near a sphere, within the paper's tolerances, keep wrong cells (docs/theory.md 3), which are
+        right again when the points return."""
         s = 3 ** 0.5 / 2
         home = [(0, 0, 0.99), (0, 0, -0.99), (1, 0, 0), (-0.5, s, 0), (-0.5, -s, 0)]
         away = [(0, 0, 0.997), (0, 0, -0.997)] + [(0.993 * x, 0.993 * y, 0) for x, y, _ in home[2:]]
@@ -208,8 +208,8 @@ class Nodt(tool.ToolTest):
 
     def test_compare(self):
         words = ("--sphere", "--vertices", "200", "--iterations", "5")
-        done = self.succeed("compare", "--strategies", "rebuild,relocate,tolerances-each,tolerances", "--output", "compare",
-                            "--", "nodt", *words)
+        done = self.succeed("compare", "--strategies", "rebuild,relocate,tolerances-each,tolerances",
+                            "--output", "compare", "--", "nodt", *words)
         self.assertIn("all strategies agree", done.stdout)
         comparison = json.loads((self.here / "compare" / "compare.json").read_text(encoding="utf-8"))
         self.assertTrue(comparison["agree"])

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The files that are written: whole or absent. usage: test_outputs.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Output files: complete or absent. usage: test_outputs.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import csv
 import json
@@ -54,8 +54,8 @@ class Outputs(ToolTest):
             return list(csv.DictReader(file))
 
     def test_triangulation_seconds_are_those_of_the_steps(self):
-        """Construction and first tolerances are in no step, and apart: else strategies that keep tolerances pay for
-        what others do not have."""
+        """Construction and first tolerances belong to no step and are reported separately: otherwise strategies with
+        tolerances would be charged for work that others do not have."""
         self.succeed("generate", "walk", "--from", "grid", "--points", "64", "--dim", "3", "--steps", "5", "--pace",
                      "0.1", "--output", "walk.xyz")
         for run in self.RUNS:
@@ -163,7 +163,7 @@ class Outputs(ToolTest):
 
     def test_stale_results_do_not_survive(self):
         self.succeed("nodt", "--sphere", "--vertices", "60", "--iterations", "1", "--output", "out", "--quiet")
-        self.succeed("audit", "out/final.mesh", "--output", "out", "--quiet")  # what belongs to the run leaves it whole
+        self.succeed("audit", "out/final.mesh", "--output", "out", "--quiet")  # removes only the run's files
         self.assertEqual(self.names(), RUN_FILES | {"domain.mesh", "dihedral.csv", "audit.json"})
         self.succeed("compare", "--output", "out", "--quiet", "--", *self.RUN)
         self.assertNotIn("domain.mesh", self.names())
@@ -217,8 +217,7 @@ class Outputs(ToolTest):
         self.assertIn("x", self.succeed("generate", "uniform", "-n", "4", "--output", "-", "--format", "csv").stdout)
 
     def test_two_runs_at_once(self):
-        """Into directories under one that is not there, into one that is not there, into one with a file of
-        somebody's."""
+        """Into directories below a missing one, into a missing one, into one with another program's file."""
         for round in range(5):
             self.succeed(*self.RUN, "--output", f"mine{round}", "--quiet")
             (self.here / f"mine{round}" / "notes.txt").write_text("mine")
@@ -233,7 +232,7 @@ class Outputs(ToolTest):
                     self.assertEqual(found, RUN_FILES, name)
 
     def test_here(self):
-        """The working directory keeps its place: a shell stands in it."""
+        """The working directory is not replaced, because a shell may use it."""
         before = self.here.stat().st_ino
         for _ in range(2):
             self.succeed(*self.RUN, "--output", ".")
@@ -257,7 +256,7 @@ class Outputs(ToolTest):
         self.assertEqual((out / "summary.json").read_text(), "older")
 
     def test_unwritable_directory(self):
-        # /proc takes no new entries, not even from root.
+        # /proc accepts no new entries, not even from root.
         if not Path("/proc/self").is_dir():
             self.skipTest("no /proc")
         self.assertIn("/proc/annulus", self.refuse(4, "lloyd", "--points", "30", "--iterations", "2",
@@ -299,7 +298,7 @@ class Outputs(ToolTest):
                       (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_a_tolerance_without_end(self):
-        """Of points on a line the outer ones have no certificate: infinite, and not 0."""
+        """The outer points on a line have no certificate: their tolerance is infinite, not 0."""
         self.xyz("line.xyz", [(i, 0) for i in range(4)])
         self.succeed("lloyd", "--input", "line.xyz", "--iterations", "0", "--output", "out", "--quiet")
         self.assertIn(float("inf"), tool.vtu_values(self.here / "out" / "final.vtu", "tolerance"))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus replay` and looks at what comes out. usage: test_replay.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Runs `annulus replay` and checks its output. usage: test_replay.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
 import math
@@ -11,7 +11,7 @@ import tool
 
 
 def wander(frames, points, seed, step):
-    """Frames as {id: (x, y)}: points wander, and now and then one leaves or arrives."""
+    """Frames as {id: (x, y)}: points walk, and sometimes one leaves or arrives."""
     dice = random.Random(seed)
     now = {i: (dice.random(), dice.random()) for i in range(points)}
     fresh = points
@@ -38,7 +38,7 @@ def as_csv(frames, seed=0):
 
 class Replay(tool.ToolTest):
     def test_a_failed_audit(self):
-        """Five points (annulus counterexample) that move by less than the paper's tolerances: three cells stay where
+        """Five points (annulus counterexample) that move by less than the paper's tolerances: three cells remain where
         two are right."""
         rows = ["frame,id,x,y,z"]
         for frame, (height, radius) in enumerate([(0.99, 1.0), (0.997, 0.993)]):
@@ -106,7 +106,7 @@ class Replay(tool.ToolTest):
             self.check("a.xyz", frames[-1].values())
 
     def solid(self, name, *words):
-        """final.mesh of a replay in space: points and tetrahedra."""
+        """final.mesh of a replay in 3D: points and tetrahedra."""
         self.succeed("replay", name, "--audit", "1", "--output", "out", "--quiet", *words)
         self.assertEqual({p.name for p in (self.here / "out").iterdir()}, tool.RUN_FILES)
         summary = self.summary("out")
@@ -128,7 +128,7 @@ class Replay(tool.ToolTest):
                     points, cells = self.solid("walk.csv", "--strategy", strategy, *words)
                     self.assertEqual(sorted(points), sorted(frames[-1].values()))
                     self.assertGreater(cells, len(points))
-        # Without its z it is a motion of the plane.
+        # Without its z it is a 2D motion.
         self.check("walk.csv", [p[:2] for p in frames[-1].values()], "--dim", "2")
 
     def test_flat_frames_of_space(self):
@@ -143,7 +143,8 @@ class Replay(tool.ToolTest):
             self.assertEqual(cells > 0, frames[-1] is solid)
 
     def test_ids_of_extended_xyz(self):
-        # The same points in another order at every step: who takes places for ids sees them all jump.
+        # The same points in another order at every step: a reader that takes positions in the file as ids would see
+        # them all jump.
         dice = random.Random(5)
         points = {i: (dice.random(), dice.random()) for i in range(3, 90, 3)}
         text = ""
@@ -187,7 +188,7 @@ class Replay(tool.ToolTest):
             self.assertNotIn("ignored", self.summary("out"))
 
     def test_a_periodic_box_is_refused_or_announced_by_whatever_reads_points(self):
-        """Each of these asks for the box by itself. (A sweep: test_sweep.py.)"""
+        """Each of these handles the box itself. (A sweep: test_sweep.py.)"""
         frame = ('4\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3\nH .1 0 0\nH .2 .3 0\nH .5 .1 0\nH .3 '
                  '-.2 0\n')
         self.write("one.xyz", frame)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs a small `annulus reproduce` and looks at its files. usage: test_reproduce.py --tool=PATH [CLASS[.METHOD]...]"""
+"""Runs a small `annulus reproduce` and checks its files. usage: test_reproduce.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import csv
 import json
@@ -15,7 +15,7 @@ FIGURES = {f"figure-{k}.html" for k in range(5, 13)}
 
 
 def untimed(run):
-    """Of a run in reproduction.json all that no clock decides."""
+    """The parts of a run in reproduction.json that do not depend on a clock."""
     run = dict(run)
     for name in ("load", "motion_seconds", "operations"):
         run.pop(name, None)
@@ -32,7 +32,7 @@ class Reproduce(tool.ToolTest):
         return json.loads((self.here / name / "reproduction.json").read_text(encoding="utf-8"))
 
     def test_everything(self):
-        """Every figure has a page, every claim a verdict, every link leads somewhere, and every table has numbers."""
+        """Every figure has a page, every claim a verdict, every link is valid, and every table has numbers."""
         self.succeed(*self.SMALL, "--output", "all")
         files = {p.name for p in (self.here / "all").iterdir()}
         self.assertLessEqual(FIGURES | {"index.html", "claims.csv", "unsound.html", "slivers.html", "locked.html",
@@ -51,7 +51,7 @@ class Reproduce(tool.ToolTest):
         r = self.result("all")
         self.assertGreaterEqual(len(r["claims"]), 46)
         open_claims = [c["statement"] for c in r["claims"] if not c["paper_algorithm"]]
-        self.assertLessEqual(len(open_claims), 9, open_claims)  # what needs bodies, or more than 100 iterations
+        self.assertLessEqual(len(open_claims), 9, open_claims)  # those that need surfaces, or more than 100 iterations
         self.assertEqual({c["figure"] + ".html" for c in r["claims"]} & FIGURES, FIGURES)
         for claim in r["claims"]:
             self.assertIn(claim["verdict"], ("agrees", "goes further", "differs", "is wrong", "open"), claim)
@@ -84,7 +84,8 @@ class Reproduce(tool.ToolTest):
         self.assertIn("left out", (self.here / "all" / "index.html").read_text(encoding="utf-8"))
 
     def test_only_and_again(self):
-        """Results but for times are the same again, with another number of threads; earlier pages are replaced."""
+        """A second run with another number of threads gives the same results except times; earlier pages are
+        replaced."""
         words = [*self.SMALL, "--only", "fig5,fig10"]
         self.succeed(*words, "--output", "a")
         self.succeed(*words, "--threads", 2, "--output", "b")
@@ -115,8 +116,8 @@ class Reproduce(tool.ToolTest):
         self.assertEqual(set(self.result("out")["runs"]), {"points-one", "points-x2", "nodt-sphere"})
 
     def start(self, *words):
-        """Begins, and returns when its directory says what is made in it; what is made takes far longer than a test
-        may."""
+        """Starts a run, and returns when its directory identifies the reproduction; the whole run would take far too
+        long for a test."""
         run = subprocess.Popen([tool.OPTIONS["tool"], *map(str, words)], cwd=self.here, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
         self.addCleanup(lambda: (run.kill(), run.wait()))
@@ -135,7 +136,7 @@ class Reproduce(tool.ToolTest):
         self.assertRegex(done.stderr, r"\Aannulus: out\.partial: another reproduction is writing[^\n]*\n\Z")
 
     def test_other_surfaces_of_the_same_names(self):
-        """Figure 5 looks at none of them."""
+        """Figure 5 uses none of them."""
         for place, text in (("one", "a"), ("two", "b")):
             (self.here / place).mkdir()
             for name in ("man.off", "bunny00.off", "liver.inr.gz"):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus` on files that are read while it runs: pipes, packed ones, long ones, broken ones.
+"""Runs `annulus` on files that are read as streams: pipes, packed, long and broken files.
 
 usage: test_streams.py --tool=PATH [CLASS[.METHOD]...]"""
 
@@ -107,13 +107,13 @@ class Streams(tool.ToolTest):
         self.refuse(3, "replay", "a.xyz", "--output", "out")
 
     def test_an_interrupted_pipe(self):
-        """The signal comes while the run asks a pipe for more that has no more to say and no end."""
+        """The signal comes while the run waits for a pipe that has no more data and no end."""
         words = ["replay", "-", "--format", "xyz", "--output", "out"]
         run = subprocess.Popen([tool.OPTIONS["tool"], *words], cwd=self.here, stdin=subprocess.PIPE,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                env=tool.at(signal.SIGSTOP, 2, "read", "pipe:"))
         self.addCleanup(lambda: (run.kill(), run.communicate()))
-        run.stdin.write((XYZ + "9\n").encode())  # in one piece, which is what the first read has
+        run.stdin.write((XYZ + "9\n").encode())  # in one piece, which the first read returns
         run.stdin.flush()
         tool.until_it_stops(run)
         run.send_signal(signal.SIGINT)
@@ -124,8 +124,8 @@ class Streams(tool.ToolTest):
         self.assertEqual(self.summary("out.partial")["iterations"], 3)
 
     def fits(self, megabytes, *words):
-        """Whether a run ends well that may have so much memory of its own, which is counted when it is asked for: what
-        is resident depends on what else the machine does."""
+        """Whether a run succeeds with this limit of private memory, counted at allocation: resident memory depends on
+        the load of the machine."""
         limit = lambda: resource.setrlimit(resource.RLIMIT_DATA, (megabytes << 20, megabytes << 20))
         return self.run_tool(*words, preexec_fn=limit).returncode == 0
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`annulus nodt` on surfaces that something is wrong with: it ends, by itself, with a mesh or one line.
+"""`annulus nodt` on faulty surfaces: it terminates with a mesh or one line.
 
 usage: test_surfaces.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other
        mutants

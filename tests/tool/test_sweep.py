@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus sweep`: what it finds. What it refuses is in test_sweep_spec.py and test_sweep_faults.py; threads,
-kills are in test_sweep_resumed.py, ranks in test_sweep_ranks.py.
+"""Runs `annulus sweep` and checks its results. Refusals are in test_sweep_spec.py and test_sweep_faults.py; threads and
+kills in test_sweep_resumed.py, ranks in test_sweep_ranks.py.
 
 usage: test_sweep.py --tool=PATH [CLASS[.METHOD]...]
 """
@@ -35,7 +35,7 @@ points = 100
 dimension = 3
 motion = { kind = "nodt", steps = 2 }
 """
-# Some thirty trials of a twentieth of a second or more: long enough to be killed in.
+# About thirty trials of a twentieth of a second or more: long enough to be killed.
 LONGER = """hardest = 3
 [[grid]]
 points = [2000, 4000]
@@ -63,7 +63,7 @@ class SweepTest(tool.ToolTest):
 
 class Found(SweepTest):
     def test_the_numbers_are_those_of_degeneracy(self):
-        """Each line, against `generate` and `degeneracy` with the line's own parameters."""
+        """Compares each line with `generate` and `degeneracy` for the line's parameters."""
         self.sweep(SPEC, "out")
         lines = self.lines("out")
         self.assertEqual(len(lines), 72 + 2 * 3 * 3 + 1)
@@ -106,7 +106,7 @@ class Found(SweepTest):
                         self.assertEqual(sum(h["in"]) + h["below"] + h["above"], counts[f"bicells.stage.{stage}"])
 
     def test_sums(self):
-        """By integers of Python's."""
+        """In Python integers."""
         self.sweep(SPEC, "out")
         sums = json.loads((self.here / "out" / "sums.json").read_text(encoding="utf-8"))
         expected = {}
@@ -129,8 +129,8 @@ class Found(SweepTest):
                 self.assertEqual(h["below"], sum(line["histograms"][name]["below"] for line in lines))
 
     def test_seeds(self):
-        """Rounded in several ways, the same points; else different ones; what a list of seeds says is taken as it
-        is."""
+        """The same points are rounded in several ways, other trials have different points; seeds of a list are used
+        unchanged."""
         self.sweep("[[grid]]\npoints = [20, 30]\nkind = [\"uniform\", \"jittered\"]\nrounding = [\"double\", "
                    "\"float\"]\nseeds = 3\n", "out")
         seeds = {}
@@ -193,8 +193,8 @@ class Found(SweepTest):
                 shutil.rmtree(self.here / "out")
 
     def test_repeated_points(self):
-        """Of a file they are among `points` and `merged`, as in degeneracy.json; so are those that rounding brings
-        together."""
+        """Repeated points of a file count in `points` and `merged`, as in degeneracy.json; so do those that rounding
+        merges."""
         corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (3.0, 2.0), (0.25, 0.25)]
         self.xyz("set.xyz", corners + [(1.0, 0.0), (1.0, 0.0), (-0.0, 1.0)])
         frames = corners, [*corners[1:], corners[2]]
@@ -219,7 +219,7 @@ class Found(SweepTest):
             self.assertEqual(line["counts"], {"experiments": 1, "flat": 1})
 
     def test_hardest(self):
-        """Against all certificates (`degeneracy --raw`), and in rational numbers."""
+        """Compared with all certificates (`degeneracy --raw`), and in rational numbers."""
         self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nrounding = \"decimal:3\"\nseeds = [4]\n",
                    "out")
         self.sweep("hardest = 6\n[[grid]]\npoints = 400\nkind = \"jittered\"\nseeds = [4]\n", "unrounded")

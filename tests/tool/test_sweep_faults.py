@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `annulus sweep` has been caught at: pipes, names, directories, journals.
+"""Former faults of `annulus sweep`: pipes, names, directories, journals.
 
 usage: test_sweep_faults.py --tool=PATH [CLASS[.METHOD]...]
 """
@@ -24,7 +24,7 @@ class Specification(test_sweep.SweepTest):
             self.assertIn(word, fault)
 
     def test_keys_of_very_many_parts(self):
-        """Each takes stack in what reads TOML."""
+        """The TOML parser uses stack for each part."""
         for key in ("a" + ".a" * 200_000, "\"a\"" + ".\"a\"" * 200_000):
             self.refuse_spec(f"\n{key} = 1\n" + SMALL, "spec.toml:2: ", "dots")
             self.refuse_spec(f"\n[{key}]\n" + SMALL, "spec.toml:2: ", "dots")
@@ -64,9 +64,9 @@ class Specification(test_sweep.SweepTest):
 
 class Directory(test_sweep.SweepTest):
     def test_what_says_that_all_is_done(self):
-        """All files have to be there, and sums.json may be anything."""
+        """All files must exist; sums.json may have any content."""
         whole = self.sweep(SMALL, "out")
-        for name in test_sweep.FILES - {"sums.json"}:  # which says whose they are
+        for name in test_sweep.FILES - {"sums.json"}:  # which identifies the sweep
             (self.here / "out" / name).unlink()
             self.succeed("sweep", "spec.toml", "--output", "out", "--quiet")
             self.assertEqual(self.results("out"), whole, name)
@@ -104,7 +104,7 @@ class Directory(test_sweep.SweepTest):
 
 class Journal(test_sweep.SweepTest):
     def interrupt(self, lines):
-        """Leaves a journal of so many lines, and returns them."""
+        """Leaves a journal with this many lines, and returns them."""
         self.write("spec.toml", test_sweep.LONGER)
         done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet",
                              env=tool.at(signal.SIGKILL, lines + 1, "pwrite", test_sweep.JOURNAL))
@@ -118,7 +118,7 @@ class Journal(test_sweep.SweepTest):
         self.assertNotIn("before", self.succeed("sweep", "spec.toml", "--output", "out", "--force").stdout)
 
     def test_a_damaged_line(self):
-        """Costs its trial, and no other."""
+        """A damaged line loses its trial, and no other."""
         lines = self.interrupt(6)
         whole = [line for line in lines if line.endswith(b"\n")]
         whole[3] = whole[3][:50] + bytes([whole[3][50] ^ 1]) + whole[3][51:]
@@ -135,7 +135,7 @@ class Journal(test_sweep.SweepTest):
             file.write_bytes(damaged)
             self.assertIn("damaged", self.refuse(3, "sweep", "spec.toml", "--output", "out"))
             self.assertEqual(file.read_bytes(), damaged)
-        for cut in (0, 20, len(lines[0]) - 1):  # nothing was done yet
+        for cut in (0, 20, len(lines[0]) - 1):  # no trial was finished yet
             file.write_bytes(lines[0][:cut])
             done = self.run_tool("sweep", "spec.toml", "--output", "out", "--quiet",
                                  env=tool.at(signal.SIGKILL, 2, "pwrite", test_sweep.JOURNAL))
@@ -145,7 +145,7 @@ class Journal(test_sweep.SweepTest):
 
 class Limits(test_sweep.SweepTest):
     def test_threads_that_cannot_be_had(self):
-        """Fewer do as well, and leave what they need: addresses are used up by threads, and then by what these do."""
+        """Fewer threads give the same, and leave enough address space, which threads and then their work consume."""
         def run(megabytes, *words):
             return subprocess.run([tool.OPTIONS["tool"], *words], cwd=self.here, capture_output=True, text=True,
                                   timeout=tool.HANGING, check=False,

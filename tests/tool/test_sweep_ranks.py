@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus sweep` as several processes under mpirun, kills them, and lets some have other files.
+"""Runs `annulus sweep` as several processes under mpirun, kills them, and gives some of them other files.
 
 usage: test_sweep_ranks.py --tool=PATH --mpirun=PATH [CLASS[.METHOD]...]
     --mpirun=none: a build without MPI: says so, and ends with status 77, by which CTest knows that nothing was tested
@@ -26,7 +26,7 @@ def mpirun(n=None):
 
 
 def stat_of(process):
-    """Parent and state of a process; nothing where there is none."""
+    """Parent and state of a process; None where there is none."""
     try:
         text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
     except OSError:
@@ -53,7 +53,7 @@ def ranks_of(launcher):
 
 class Killed(Stopped):
     def until_all_are_gone(self, run, ranks):
-        """Ranks do not outlive one of them, nor mpirun; nor does mpirun outlive them."""
+        """Ranks do not outlive any of them, nor mpirun; nor does mpirun outlive them."""
         while [p for p in ranks.values() if (stat_of(p) or (0, "Z"))[1] != "Z"]:
             time.sleep(0.02)
         try:
@@ -77,12 +77,13 @@ class Killed(Stopped):
         self.assertNotEqual(run.returncode, 0)
 
     def test_killed_at_any_line(self):
-        """One rank, which takes the others with it, or mpirun; what they were doing is all that is lost."""
+        """Kills one rank, which ends the others, too, or mpirun; only the trials in progress are lost."""
         whole = self.sweep(LONGER, "whole")
         kept = 0
         for victim in (1, 0, "mpirun", 2):
             self.kill(kept, victim)
-            # How many lines are written before all have gone is open. When these are all, the journal has gone, too.
+            # The number of lines that are written before all processes have ended varies. When these are all lines, the
+            # journal has been removed, too.
             if (self.here / "out" / "costs.jsonl").exists():
                 print(f"killed: {victim}, when all was done")
                 self.assertEqual(self.results("out"), whole)
@@ -112,8 +113,8 @@ class Ranks(SweepTest):
             done = self.run_ranks(n, "spec.toml", "--output", f"{n}x{threads}", "--threads", str(threads))
             self.assertEqual(done.stdout.count("written to"), 1)
             self.assertEqual(self.results(f"{n}x{threads}"), one)
-        # Who asks first gets more: one rank may have done everything, and a busy machine is no fault of ours. Not so
-        # always.
+        # The first rank to request gets more: one rank may have done everything on a busy machine, which is not a
+        # fault. But not always.
         for _ in range(20):
             if len({line["rank"] for line in self.lines("4x1", "costs.jsonl")}) > 1:
                 break
@@ -164,8 +165,7 @@ if __name__ == "__main__":
         print("SKIPPED: this build has no MPI, and nothing is known of `annulus sweep` as several processes "
               "(tools/setup installs Open MPI)")
         sys.exit(SKIPPED)
-    # Where ranks know of one another by shared memory, mpirun of Open MPI 4.1 may wait for ever, in
-    # PMIx_server_finalize and with no rank left, after one was killed. Not so where each has tables of its own
-    # (tests/ATTACKS.md, find 16).
+    # If ranks communicate by shared memory, mpirun of Open MPI 4.1 may wait for ever, in PMIx_server_finalize and with
+    # no rank left, after one was killed. Not so if each has its own tables (tests/ATTACKS.md, find 16).
     os.environ["PMIX_MCA_gds"] = "hash"
     tool.main(__doc__, "mpirun")

@@ -14,7 +14,7 @@ from test_sweep import FILES, JOURNAL, LONGER, SPEC
 
 
 class Stopped(test_sweep.SweepTest):
-    """A sweep that is to be stopped, and what is left of it."""
+    """A sweep that is to be stopped, and its remains."""
 
     def start(self, *launcher, threads=2, **more):
         return subprocess.Popen([*launcher, tool.OPTIONS["tool"], "sweep", "spec.toml", "--output", "out", "--quiet",
@@ -22,7 +22,7 @@ class Stopped(test_sweep.SweepTest):
                                 stderr=subprocess.PIPE, text=True, start_new_session=True, **more)
 
     def journal_lines(self):
-        """With the head; a line that was cut off is none."""
+        """The lines of the journal with its head, without a line that was cut off."""
         try:
             return (self.here / "out" / JOURNAL).read_bytes().count(b"\n")
         except FileNotFoundError:
@@ -36,17 +36,17 @@ class Interrupted(Stopped):
             self.assertEqual(self.sweep(SPEC, f"more{i}", *words), one)
 
     def test_killed_at_any_line(self):
-        """Before one of the lines of its journal is written: of each run, so many after those that were there."""
+        """Kills each run before a certain line of its journal is written, counted from the existing ones."""
         whole = self.sweep(LONGER, "whole")
         kept = 0
         for turn, count in enumerate((3, 6, 1, 2)):
-            # The head is a line, too, which a journal that is there has.
+            # The head, which an existing journal has already, is a line, too.
             run = self.start(env=tool.at(signal.SIGKILL, count, "pwrite", JOURNAL))
             self.assertEqual(run.wait(), -signal.SIGKILL)
             run.stderr.close()
             kept += count - 1
             self.assertEqual(self.journal_lines(), kept)  # nothing is lost
-            if turn == 1:  # as a crash of the machine may leave it
+            if turn == 1:  # as after a crash of the machine
                 with open(self.here / "out" / JOURNAL, "ab") as journal:
                     journal.write(b"1234abcd {\"trial\":0,\"li")
         self.assertIn(f"of which {kept - 1} were done before",
@@ -72,13 +72,13 @@ class Interrupted(Stopped):
         self.assertEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
         self.assertEqual(self.sweep(SPEC, "out", "--force"), before)
         self.assertNotEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
-        # Another specification may take the place of results that are whole, as with every subcommand.
+        # Another specification may replace complete results, as with every subcommand.
         self.sweep("[[grid]]\npoints = 20\n", "out")
         self.assertEqual(len(self.lines("out")), 1)
 
     def test_another_specification(self):
         self.write("spec.toml", LONGER)
-        run = self.start(env=tool.at(signal.SIGSTOP, 3, "pwrite", JOURNAL))  # it writes as long as we look
+        run = self.start(env=tool.at(signal.SIGSTOP, 3, "pwrite", JOURNAL))  # it is still writing during the check
         tool.until_it_stops(run)
         self.assertIn("another sweep is writing", self.refuse_now("sweep", "spec.toml", "--output", "out"))
         run.kill()

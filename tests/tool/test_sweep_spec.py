@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `annulus sweep` on specifications that it refuses, with the line and the key, and on some that it only just
-takes.
+"""Runs `annulus sweep` on specifications that it refuses, with the line and the key, and on some that it barely
+accepts.
 
 usage: test_sweep_spec.py --tool=PATH [CLASS[.METHOD]...]
 """

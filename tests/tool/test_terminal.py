@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn on a terminal: the progress line. usage: test_terminal.py --tool=PATH [CLASS[.METHOD]...]"""
+"""The progress line on a terminal. usage: test_terminal.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import fcntl
 import os
@@ -15,7 +15,7 @@ from tool import OPTIONS, ToolTest
 
 
 class Screen:
-    """A terminal of so many columns, as far as the progress line needs one: it counts rows that are begun by
+    """A terminal with this many columns, as far as the progress line needs one: it counts rows that begin by
     wrapping."""
 
     def __init__(self, columns):
@@ -49,7 +49,7 @@ class Screen:
 
 class ProgressLine(ToolTest):
     def drawn(self, columns, *words, environment=(), rows=24):
-        """What the tool writes to standard error where that is a terminal of so many columns; 0: it does not say."""
+        """The tool's standard error on a terminal with this many columns; 0: unknown."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", rows if columns else 0, columns, 0, 0))
         env = {k: v for k, v in os.environ.items() if k not in ("COLUMNS", "TERM")} | {"TERM": "xterm"} | dict(
@@ -57,7 +57,7 @@ class ProgressLine(ToolTest):
         end = b"\0"
         with subprocess.Popen([OPTIONS["tool"], *map(str, words)], cwd=self.here, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=theirs, env=env) as process:
-            # A terminal may lose what was written last when it is closed. So it stays open, and a byte of ours ends it.
+            # A terminal may lose its last output when it is closed. So it stays open, and the test writes a last byte.
             closing = threading.Thread(target=lambda: (process.wait(), os.write(theirs, end)))
             closing.start()
             text = b""
@@ -69,7 +69,7 @@ class ProgressLine(ToolTest):
         self.assertEqual(process.returncode, 0, text)
         return text.removesuffix(end).decode("utf-8")
 
-    # The last step is drawn whatever the clock says.
+    # The last step is always drawn, independently of the clock.
     LLOYD = ("lloyd", "--points", "300", "--iterations", "40")
 
     def test_fits_whatever_the_width(self):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`annulus nodt --mesh`: tetrahedral meshes from files, good ones and others, and what becomes of them.
+"""`annulus nodt --mesh`: valid and faulty tetrahedral meshes from files, and the results.
 
 usage: test_tetrahedra.py --tool=PATH [CLASS[.METHOD]...]; ANNULUS_MUTANTS=N and ANNULUS_TEST_SEED=N for more and other
        mutants
@@ -74,7 +74,7 @@ class Tetrahedra(tool.ToolTest):
                             *more)
 
     def check(self, euler=None):
-        """domain.mesh is a mesh with its boundary; V - E + F of that. Returns what it holds."""
+        """Checks that domain.mesh is a mesh with its boundary, and V - E + F of the boundary. Returns its contents."""
         points, triangles, cells = read(self.here / "out" / "domain.mesh")
         self.assertEqual({v for c in cells for v in c}, set(range(len(points))))
         self.assertLessEqual(set(points), set(read(self.here / "out" / "final.mesh")[0]))
@@ -159,7 +159,7 @@ class Tetrahedra(tool.ToolTest):
         self.assertIn("b.mesh: no Delaunay cell of its vertices", self.refuse(3, "nodt", "--mesh", "b.mesh"))
 
     def test_again(self):
-        """What nodt writes, nodt reads; the vertices keep their order."""
+        """nodt reads its own output; the vertices keep their order."""
         self.succeed("nodt", "--sphere", "--vertices", 300, "--iterations", 20, "--output", "first")
         self.succeed("nodt", "--mesh", "first/domain.mesh", "--iterations", 0, "--output", "out")
         self.assertEqual(read(self.here / "first" / "domain.mesh")[0], read(self.here / "out" / "final.mesh")[0])

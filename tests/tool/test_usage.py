@@ -59,7 +59,7 @@ class Usage(ToolTest):
         self.assertEqual(set(audit["faults"].values()), {0})
 
     def test_help_says_what_seed_and_threads_do(self):
-        """Degeneracy, for one, looks at certificates in all threads it is given; who has one thread says so."""
+        """`degeneracy`, for example, examines certificates in all its threads; subcommands with one thread say so."""
         said = {name: " ".join(self.succeed(name, "--help").stdout.split()) for name in SUBCOMMANDS}
         one = {name for name in SUBCOMMANDS if "one thread is used here" in said[name]}
         self.assertEqual(one, {"audit", "generate", "counterexample"})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every test of the built tool shares: running it in a directory of its own, and looking at what comes out."""
+"""Shared by all tests of the built tool: running it in a separate directory, and checking its output."""
 
 import atexit
 import base64
@@ -17,8 +17,8 @@ import xml.etree.ElementTree
 import zlib
 from pathlib import Path
 
-OPTIONS = {}  # given on the command line; "tool" always
-# What is drawn is drawn from this, the same every time; ANNULUS_TEST_SEED for other draws (tools/explore).
+OPTIONS = {}  # from the command line; "tool" is always given
+# The seed of all random cases, the same every time; ANNULUS_TEST_SEED gives others (tools/explore).
 SEED = int(os.environ.get("ANNULUS_TEST_SEED")
            or (Path(__file__).resolve().parents[1] / "seed").read_text(encoding="ascii"))
 HANGING = 1800  # seconds: no call takes a hundredth of it, and a machine may be very busy
@@ -71,18 +71,18 @@ def at_call():
 
 def at(number, count, call, part="", rank=None):
     """The environment in which the tool sends itself this signal before its `count`-th `call` on a file with `part` in
-    its path (at_call.c): at a place of the program, whatever the clock says and however busy the machine is."""
+    its path (at_call.c): at a point of the program, independent of the clock and the load of the machine."""
     ranks = {} if rank is None else {"ANNULUS_AT_RANK": str(rank)}
     return {**os.environ, **ranks, "LD_PRELOAD": at_call(), "ANNULUS_AT": f"{int(number)} {count} {call} {part}"}
 
 
 def with_threads(n):
-    """The environment in which the tool is given so many threads at once beside its first one, and no more."""
+    """The environment in which the tool gets at most this many threads at once besides its first one."""
     return {**os.environ, "LD_PRELOAD": at_call(), "ANNULUS_THREADS": str(n)}
 
 
 def until_it_stops(run):
-    """A process of ours that a SIGSTOP of at() is to stop."""
+    """Waits for a child process that a SIGSTOP of at() stops."""
     _, status = os.waitpid(run.pid, os.WUNTRACED)
     if not os.WIFSTOPPED(status):
         run.returncode = os.waitstatus_to_exitcode(status)
@@ -155,8 +155,8 @@ def main(usage, *more):
         print(usage, file=sys.stderr)
         sys.exit(2)
     OPTIONS.update({name: os.path.abspath(path) for name, path in OPTIONS.items()})
-    # Whoever runs the tests may ignore these, as nohup and shells do for what they start in the background, and what
-    # we start would too.
+    # The caller of the tests may ignore these signals, as nohup and shells do for background processes, and child
+    # processes would inherit this.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)

@@ -13,13 +13,13 @@ namespace annulus {
 template <int d>
 using Coordinates = std::array<double, static_cast<std::size_t>(d)>;
 
-/// Index of a vertex in input order. 32 bits: at most 2^29 cells. Cells and corners of a Corner_table have types of
-/// their own (mesh/index.h).
+/// Index of a vertex in input order. 32 bits: at most 2^29 cells. Cells and corners of a Corner_table have their own
+/// types (mesh/index.h).
 using Index = std::int32_t;
 
 /// The vertex at infinity.
 inline constexpr Index infinite = -1;
-/// No vertex at all, not even that: what pads an array of vertices that is longer than there are.
+/// No vertex at all, not even infinity: pads arrays that have more entries than vertices.
 inline constexpr Index none = -2;
 
 }  // namespace annulus

@@ -45,7 +45,7 @@ inline void require_in_domain(const std::array<double, d>& x) {
     throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
 
-/// The same, naming what it is the position of: a "point" or "vertex", and its index.
+/// The same, with a message that names the point: `whose` is "point" or "vertex", i its index.
 template <std::size_t d>
 inline void require_in_domain(const std::array<double, d>& x, const char* whose, std::int64_t i) {
     if (in_domain(x)) return;

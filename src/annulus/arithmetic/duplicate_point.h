@@ -9,7 +9,8 @@
 
 namespace annulus {
 
-/// "points 3 and 15 have the same position", "vertices 3 and 15 would have the same position", and which they are.
+/// The error "points 3 and 15 have the same position" or "vertices 3 and 15 would have the same position", with both
+/// indices.
 [[nodiscard]] inline Error duplicate_point_error(const char* what, const char* have, std::int64_t a, std::int64_t b) {
     const auto [first, second] = std::minmax(a, b);
     return {Error_code::duplicate_point,

@@ -11,7 +11,7 @@ namespace annulus {
 
 namespace {
 
-/// A value the optimiser knows nothing about.
+/// A value that is opaque to the optimiser.
 double opaque(double x) {
     volatile double v = x;
     return v;
@@ -38,7 +38,7 @@ bool nan_unseen() {
 }
 
 bool directed_rounding_works() {
-    // The operands are read again under each guard: compilers know nothing of rounding modes and would divide once.
+    // The operands are read again under each guard: compilers do not model rounding modes and would divide once.
     double up = 0.0;
     double down = 0.0;
     {

@@ -22,14 +22,16 @@ static_assert(0.1 != static_cast<double>(0.1F),
 
 namespace annulus {
 
-/// Empty when the floating-point unit of the calling thread does what the proofs assume, else what it does wrong.
+/// Empty when the floating-point unit of the calling thread behaves as the proofs assume; otherwise a description of
+/// the first difference.
 ///
-/// Looked at: rounding to nearest is in force; directed rounding of 1/3 works at run time; in code compiled with the
-/// library's flags a*b + c is not contracted into a fused multiply-add, (a + b) - a is not taken for b, and a NaN is
-/// seen; subnormals are neither flushed nor read as zero. Costs about a hundred nanoseconds.
+/// Checks that rounding to nearest is in force; that directed rounding of 1/3 works at run time; that in code compiled
+/// with the library's flags a*b + c is not contracted into a fused multiply-add, (a + b) - a is not simplified to b,
+/// and a NaN is recognised; and that subnormals are neither flushed nor read as zero. Costs about a hundred
+/// nanoseconds.
 [[nodiscard]] std::string environment_fault();
 
-/// Throws Error(environment) with the words of environment_fault() unless that is empty.
+/// Throws Error(environment) with the text of environment_fault() unless that is empty.
 void require_sound_environment();
 
 }  // namespace annulus

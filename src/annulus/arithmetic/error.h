@@ -19,29 +19,29 @@ enum class Error_code {
     out_of_domain,    ///< a coordinate is outside the coordinate domain (see domain.h)
     duplicate_point,  ///< two vertices would share a position
     too_few,          ///< an operation needs more points than there are
-    wrong_size,       ///< a range has not one position for every index
+    wrong_size,       ///< the number of positions in a range is not the number of indices
     unknown_vertex,   ///< an index or handle that names no vertex
     environment,      ///< the floating-point environment is not the one the proofs assume
     usage,            ///< options that do not fit together
     too_large,        ///< more vertices or cells than indices can name (limits.h)
-    bad_input,        ///< a file that cannot be read or does not say what it should
+    bad_input,        ///< a file that cannot be read or has invalid contents
 };
 
-/// The one exception type of annulus. The object a failed call was made on is as it was before the call.
+/// The one exception type of annulus. A failed call leaves its object as it was before.
 class Error : public std::runtime_error {
   public:
     Error(Error_code code, const std::string& what) : std::runtime_error(what), code_(code) {}
-    /// With the vertices it is about, at most two.
+    /// With the vertices concerned, at most two.
     Error(Error_code code, const std::string& what, std::initializer_list<std::int64_t> vertices)
         : std::runtime_error(what), code_(code) {
         for (const std::int64_t v : vertices)
             if (count_ < vertices_.size()) vertices_[count_++] = v;
     }
-    /// The reason as a value; `what()` has it in words.
+    /// The reason as a value; `what()` returns it as text.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
-    /// Indices of the vertices concerned, as far as they are known. Of a duplicate point both, the smaller one first:
-    /// in a construction those of the points in the input, in an insertion the one vertex that is there already. Else
-    /// the vertex whose position or index is refused.
+    /// Indices of the vertices concerned, as far as they are known. For a duplicate point: in a construction the
+    /// indices of both points in the input, the smaller one first; in an insertion the one vertex that is there
+    /// already. For other errors: the vertex whose position or index is refused.
     [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
 
   private:

@@ -56,7 +56,8 @@ double quotient_by_roots_lower(const mpz_class& numerator, const mpz_class& a, c
     mpfr_div(result.get(), result.get(), root_a.get(), MPFR_RNDD);
     mpfr_mul_2si(result.get(), result.get(), exponent, MPFR_RNDD);
     const double lower = mpfr_get_d(result.get(), MPFR_RNDD);
-    // The truth is below result (1 + 2^-120): six operations lose at most 2^-127 each. Is the next double below that?
+    // The true value is below result (1 + 2^-120): six operations lose at most 2^-127 each. Is the next double below
+    // that?
     const double next = std::nextafter(lower, HUGE_VAL);
     if (std::isinf(next)) return lower;
     mpfr_set_ui_2exp(root_a.get(), 1, -120, MPFR_RNDU);

@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// a - b as a number, which the difference of two mpz_class is not: that is an expression, which refers to them.
+/// a - b as a number. The difference of two mpz_class is an expression that refers to its operands instead.
 struct Exact_minus {
     mpz_class operator()(const mpz_class& a, const mpz_class& b) const { return a - b; }
 };
@@ -31,15 +31,16 @@ struct Scaled_integers {
 
 /// The largest double not above numerator * 2^exponent / (sqrt(a) + sqrt(b)).
 ///
-/// Preconditions: numerator >= 0, a >= 0, b >= 0, a + b > 0. Ziv's strategy in two steps: a lower bound with 128 bits
-/// in MPFR, each operation rounded in the direction that makes the quotient smaller; where a double may lie between
-/// it and the truth (always so when the truth is a double) is_at_least decides, exactly. Overflow of the result is
-/// the largest double, underflow is zero or a subnormal below the truth.
+/// Preconditions: numerator >= 0, a >= 0, b >= 0, a + b > 0. Ziv's strategy in two steps. First a lower bound with 128
+/// bits in MPFR; each operation is rounded in the direction that makes the quotient smaller. If a double may lie
+/// between the bound and the true value (always the case when the true value is a double), is_at_least decides
+/// exactly. Overflow gives the largest double, underflow zero or a subnormal below the true value.
 [[nodiscard]] double quotient_by_roots_lower(const mpz_class& numerator, const mpz_class& a, const mpz_class& b,
                                              long exponent);
 
-/// The tie test: y <= numerator * 2^exponent / (sqrt(a) + sqrt(b)), exactly. With integers X and Z in the ratio of
-/// the numerator, scaled, to y this is r = X^2 - Z^2 (a + b) >= 0 and 4 Z^4 a b <= r^2. y finite, y >= 0.
+/// The tie test: y <= numerator * 2^exponent / (sqrt(a) + sqrt(b)), exactly. Let the integers X and Z have the ratio
+/// of the scaled numerator to y. Then the test is r = X^2 - Z^2 (a + b) >= 0 and 4 Z^4 a b <= r^2. Precondition: y is
+/// finite and y >= 0.
 [[nodiscard]] bool is_at_least(const mpz_class& numerator, const mpz_class& a, const mpz_class& b, long exponent,
                                double y);
 

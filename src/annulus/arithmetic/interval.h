@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// The one Boost.Interval policy of the library: every operation assumes that the rounding mode is upward already.
+/// The one Boost.Interval policy of the library: every operation assumes that the rounding mode is already upward.
 ///
 /// Computing with an Interval outside the scope of a `Rounding_guard(FE_UPWARD)` gives bounds that are not bounds.
 /// Boost's default policy switches the mode in every operation and is twenty times slower.
@@ -26,7 +26,7 @@ using Interval = boost::numeric::interval<
     return (Interval(a) - Interval(b)) * Interval(scale);
 }
 
-/// x^2 as an interval that is never negative (x*x would forget that both factors are one number).
+/// x^2 as an interval that is never negative (x*x treats its factors as independent).
 [[nodiscard]] inline Interval squared(const Interval& x) { return boost::numeric::square(x); }
 
 /// The same for every other number type.

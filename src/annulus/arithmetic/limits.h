@@ -9,32 +9,32 @@
 
 namespace annulus {
 
-/// Every bound that a run can reach, in one place: what happens there is tested by a second build of the library in
-/// which each is passed many times in a second (Tiny_limits, chosen by the macro ANNULUS_TINY_LIMITS).
+/// Every limit that a run can reach. What happens there is tested by a second build of the library, which passes each
+/// limit many times in a second (Tiny_limits, chosen by the macro ANNULUS_TINY_LIMITS).
 struct Wide_limits {
     static constexpr bool tiny = false;
-    /// Cells of a triangulation: a corner is 4 * cell + slot, and that is an Index. Beyond it Error(too_large).
+    /// Cells of a triangulation: a corner is 4 * cell + slot and has to fit an Index. Error(too_large) beyond.
     static constexpr std::int32_t cells = std::int32_t{1} << 29;
-    /// Vertices, checked on entry. In 2D cells come first.
+    /// Vertices, checked on entry. In 2D the limit of cells is reached first.
     static constexpr std::size_t vertices = std::size_t{1} << 29;
-    /// Vertices of a round of insertion that are worth a thread (Builder).
+    /// The least number of vertices of a round of insertion that justifies a thread (Builder).
     static constexpr std::size_t shared_part = 4096;
-    /// Steps that stamps tell apart; then all stamps are cleared and counting starts again.
+    /// Steps that stamps can tell apart; after that many all stamps are cleared and counting starts again.
     static constexpr std::uint32_t stamps = std::numeric_limits<std::uint32_t>::max();
-    /// Certificates that a vertex lists by name; what else it has is below one bound for all (Expiry_list).
+    /// Certificates that a vertex lists individually; the others are covered by one bound (Expiry_list).
     [[nodiscard]] static constexpr std::size_t listed(int d) { return d == 2 ? 6 : 10; }
-    /// Which bits of the upper half of a double are kept: the sign, 11 of exponent, 20 of significand
+    /// The bits of the upper half of a double that are kept: the sign, 11 of exponent, 20 of significand
     /// (Truncated_double).
     static constexpr std::uint32_t half_mask = 0xFFFFFFFF;
-    /// A vertex whose path length shows this many times what is left of its certificates starts at 0 again
-    /// (Displacement_budget::rebase).
+    /// When the path length of a vertex is this many times what is left of its certificates, it is rebased to start at
+    /// 0 again (Displacement_budget::rebase).
     static constexpr double path_ratio = 0x1p8;
-    /// What comes back of a tolerance that was written down as an expiry, at least, of one.
+    /// The least fraction of a tolerance that is recovered after it was stored as an expiry.
     static constexpr double kept = 1.0 - 0x1p-10;
 };
 
-/// Bounds that every run passes: stamps wrap at each third step, lists name one or two certificates, expiries have
-/// four significant bits, path lengths start again almost at every step. The number of cells can be set, since few
+/// Limits that every run passes: stamps wrap at every third step, lists name one or two certificates, expiries have
+/// four significant bits, path lengths start again at almost every step. The number of cells can be set, since few
 /// inputs fit a small one.
 struct Tiny_limits {
     static constexpr bool tiny = true;

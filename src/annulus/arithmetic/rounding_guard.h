@@ -7,14 +7,14 @@
 
 namespace annulus {
 
-/// Sets the rounding mode of the calling thread and puts the previous one back at the end of the scope.
+/// Sets the rounding mode of the calling thread and restores the previous one at the end of the scope.
 ///
-/// The mode belongs to the thread: a guard here does nothing for workers started inside its scope. One guard goes
-/// around a batch of interval evaluations, because changing the mode costs more than an evaluation.
+/// The mode belongs to the thread: a guard has no effect on workers started inside its scope. Use one guard for a
+/// batch of interval evaluations, because changing the mode costs more than an evaluation.
 ///
-/// Compilers do not model the rounding mode: they may move arithmetic on values held in registers across the call
-/// that sets it, even with -frounding-math. Both ends of the scope are therefore barriers for memory, and what is
-/// computed under a guard must be computed from memory, in functions that are not inlined into the guarded scope.
+/// Compilers do not model the rounding mode: they may move arithmetic on values held in registers across the call that
+/// sets it, even with -frounding-math. Both ends of the scope are therefore memory barriers. Computations under a
+/// guard must read their operands from memory, in functions that are not inlined into the guarded scope.
 class Rounding_guard {
   public:
     explicit Rounding_guard(int mode) noexcept : previous_(std::fegetround()) {

@@ -12,7 +12,7 @@ namespace annulus {
 enum class Stage : std::uint8_t {
     filter,    ///< round to nearest with a proved error bound
     interval,  ///< interval arithmetic
-    exact,     ///< integers, directed only in the last division and square roots
+    exact,     ///< integers, directed rounding only in the last division and square roots
 };
 
 [[nodiscard]] constexpr std::string_view name_of(Stage s) {

@@ -10,29 +10,29 @@
 
 namespace annulus {
 
-/// The upper half of a double, for what is kept of every vertex or certificate and read at every step: half as much to
-/// fetch. It has the range of a double and 21 significant bits; making one rounds towards 0.
+/// The upper half of a double, for values that are stored for every vertex or certificate and read at every step: half
+/// the memory traffic. It has the range of a double and 21 significant bits; construction rounds towards 0.
 class Truncated_double {
   public:
     constexpr Truncated_double() = default;  // 0
-    /// That of the same sign and the largest magnitude not above |x|. x is no NaN.
+    /// The value with the sign of x and the largest magnitude not above |x|. Precondition: x is not a NaN.
     [[nodiscard]] static constexpr Truncated_double truncated(double x) {
         return Truncated_double(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x) >> 32) & Limits::half_mask);
     }
-    /// The largest not above x, but 0 when x is not positive (or is no number).
+    /// The largest value not above x, or 0 when x is not positive (or a NaN).
     [[nodiscard]] static constexpr Truncated_double lower(double x) {
         return x > 0.0 ? truncated(x) : Truncated_double();
     }
     [[nodiscard]] static constexpr Truncated_double infinity() {
         return truncated(std::numeric_limits<double>::infinity());
     }
-    /// What bits() gave.
+    /// The inverse of bits().
     [[nodiscard]] static constexpr Truncated_double of_bits(std::uint32_t bits) { return Truncated_double(bits); }
 
     [[nodiscard]] constexpr double value() const {
         return std::bit_cast<double>(static_cast<std::uint64_t>(bits_) << 32);
     }
-    /// Grows with the value when that is not negative.
+    /// Increases with the value when that is not negative.
     [[nodiscard]] constexpr std::uint32_t bits() const { return bits_; }
     friend constexpr bool operator==(const Truncated_double&, const Truncated_double&) = default;
 

@@ -12,8 +12,8 @@ namespace annulus {
 using Int128 = __int128;
 using Unsigned128 = unsigned __int128;
 
-/// An integer of 64 N bits in two's complement, the lowest word first. What overflows is lost: a caller knows how large
-/// its numbers get.
+/// An integer of 64 N bits in two's complement, the lowest word first. Overflow is lost: the caller must know how
+/// large its numbers get.
 template <std::size_t N>
 struct Wide_integer {
     std::array<std::uint64_t, N> word{};
@@ -46,8 +46,8 @@ struct Wide_integer {
     }
 };
 
-/// The lowest 64 (N + M) bits of a product are those of the product of unsigned words, less each factor once, as far up
-/// as the other one's words go, where that other one is negative. Without branches.
+/// The lowest 64 (N + M) bits of the product. Multiplies as unsigned words. For each factor that is negative it then
+/// subtracts the other factor, shifted up by the number of words of the negative one. Without branches.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] Wide_integer<N + M> product(const Wide_integer<N>& a, const Wide_integer<M>& b) {
     Wide_integer<N + M> r;

@@ -13,7 +13,7 @@ namespace annulus::c {
 
 namespace {
 
-/// Interleaved numbers as points, which they are: an array of d doubles has nothing else in it.
+/// Views interleaved numbers as points. A point is an array of d doubles and nothing else.
 template <int d>
 std::span<const Coordinates<d>> as_points(const double* x, std::size_t points) {
     static_assert(sizeof(Coordinates<d>) == d * sizeof(double) && alignof(Coordinates<d>) == alignof(double));

@@ -12,7 +12,7 @@
 
 namespace annulus::c {
 
-/// Cells as plain numbers, dimension + 1 a cell; valid while this object is.
+/// Cells as plain numbers, dimension + 1 per cell; valid as long as this object exists.
 struct Cells {
     std::shared_ptr<const void> kept;
     const Index* vertices = nullptr;
@@ -20,8 +20,8 @@ struct Cells {
     std::size_t count = 0;
 };
 
-/// A Moving_mesh of either dimension, as plain arrays. Sizes have been looked at by who calls. Throws what
-/// Moving_mesh does; const members may run concurrently.
+/// A Moving_mesh of either dimension, as plain arrays. Precondition of every member: the caller has checked sizes.
+/// Throws what Moving_mesh throws; const members may run concurrently.
 class Any_mesh {
   public:
     virtual ~Any_mesh() = default;
@@ -37,7 +37,7 @@ class Any_mesh {
 
     virtual Move_report move_all(const double* x, std::size_t points) = 0;
     virtual Move_report move(std::span<const Index> indices, const double* x) = 0;
-    /// Whether each of these may be a position; throws not_finite, out_of_domain.
+    /// Throws not_finite or out_of_domain unless each of these points may be a position.
     virtual void require_positions(const double* x, std::size_t points) const = 0;
     virtual Index insert(const double* x, Move_report& report) = 0;
     virtual void remove(Index i, Move_report& report) = 0;
@@ -46,9 +46,9 @@ class Any_mesh {
     virtual void points(double* x) const = 0;
     virtual void tolerances(double* lengths) const = 0;
     virtual void displacements(double* lengths) const = 0;
-    /// Either may be null.
+    /// Either array may be null.
     virtual void voronoi(double* volumes, Index* neighbour_counts) const = 0;
-    /// Listed once between changes.
+    /// The list is computed once after a change of the mesh and then reused.
     [[nodiscard]] virtual Cells cells() const = 0;
     [[nodiscard]] virtual Audit_result audit() const = 0;
 };

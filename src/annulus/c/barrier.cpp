@@ -22,7 +22,7 @@ annulus_status status_of(Error_code code) noexcept {
         case Error_code::environment: return ANNULUS_ENVIRONMENT;
         case Error_code::usage: return ANNULUS_USAGE;
         case Error_code::too_large: return ANNULUS_TOO_LARGE;
-        case Error_code::bad_input: return ANNULUS_NO_TRIANGULATION;  // of cells, the only input that may be bad here
+        case Error_code::bad_input: return ANNULUS_NO_TRIANGULATION;  // here the only input that can be bad is cells
         case Error_code::too_few: break;
     }
     return ANNULUS_INTERNAL;

@@ -17,7 +17,7 @@
 
 namespace annulus::c {
 
-/// A call that this interface refuses, before anything was done.
+/// Thrown for a call that this interface refuses, before anything has changed.
 class Refused : public std::runtime_error {
   public:
     Refused(annulus_status status, const std::string& why) : std::runtime_error(why), status_(status) {}
@@ -26,7 +26,7 @@ class Refused : public std::runtime_error {
         names_ = true;
     }
     [[nodiscard]] annulus_status status() const noexcept { return status_; }
-    /// The one it is about, or none.
+    /// The vertex that the error names, or an empty span.
     [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {&vertex_, names_ ? 1U : 0U}; }
 
   private:
@@ -35,10 +35,10 @@ class Refused : public std::runtime_error {
     bool names_ = false;
 };
 
-/// What went wrong last. Never allocates: memory may have run out.
+/// The last error of a mesh or a thread. Never allocates, because memory may have run out.
 class Last_error {
   public:
-    /// Returns the status. At most two vertices.
+    /// Records an error and returns its status. Keeps at most two vertices.
     int note(annulus_status status, const char* why, std::span<const std::int64_t> vertices = {}) noexcept;
     /// As annulus_message.
     std::size_t copy(char* buffer, std::size_t capacity) const noexcept;
@@ -46,17 +46,17 @@ class Last_error {
     std::size_t copy_vertices(std::int32_t* vertices) const noexcept;
 
   private:
-    mutable std::mutex writing_;  // functions that only read a mesh fail, too, and may run at once
+    mutable std::mutex writing_;  // functions that only read a mesh may run concurrently, and can fail, too
     std::array<char, 512> text_{};
     std::array<std::int32_t, 2> vertices_{};
     std::size_t vertex_count_ = 0;
 };
 
-/// Of the calling thread: of calls that have no mesh.
+/// The last error of the calling thread, for calls that have no mesh.
 Last_error& error_of_thread() noexcept;
 
-/// While it lives, no floating-point exception traps in this thread; flags and traps are then as they were. The
-/// rounding mode is untouched.
+/// While an object of this class exists, no floating-point exception traps in this thread. Its destructor restores
+/// flags and traps. The rounding mode is not changed.
 class Quiet_arithmetic {
   public:
     Quiet_arithmetic() noexcept { std::feholdexcept(&before_); }
@@ -68,10 +68,10 @@ class Quiet_arithmetic {
     std::fenv_t before_;
 };
 
-/// Notes what is being thrown. Call it in a handler.
+/// Records the exception that is being handled and returns its status. Precondition: called in a catch handler.
 int note_exception(Last_error& error) noexcept;
 
-/// Makes a call through which no exception comes.
+/// Runs `call`, and turns every exception into a status.
 template <class Call>
 int guarded(Last_error& error, const Call& call) noexcept {
     const Quiet_arithmetic quiet;
@@ -86,11 +86,12 @@ int guarded(Last_error& error, const Call& call) noexcept {
 inline void require(const void* pointer, const char* name) {
     if (pointer == nullptr) throw Refused(ANNULUS_NULL_POINTER, std::string(name) + " is NULL");
 }
-/// An array may be NULL when nothing is to be in it.
+/// An array may be NULL if its count is 0.
 inline void require(const void* array, std::size_t count, const char* name) {
     if (count > 0) require(array, name);
 }
-/// Numbers or bytes of what can be in memory at all, so that products of sizes do not wrap round.
+/// Throws Refused for a count of points, vertices or cells that cannot fit in memory, so that products of sizes do not
+/// overflow.
 void require_count(std::size_t count, const char* of);
 
 }  // namespace annulus::c
@@ -98,13 +99,13 @@ void require_count(std::size_t count, const char* of);
 /// The handle.
 struct annulus_mesh {
     std::unique_ptr<annulus::c::Any_mesh> mesh;
-    std::vector<annulus::Index> changed;  // by the last call that changed it
+    std::vector<annulus::Index> changed;  // cells made by the last call that changed the mesh
     mutable annulus::c::Last_error error;
 };
 
 namespace annulus::c {
 
-/// The same for a call on a mesh, which is refused when it is NULL.
+/// The same for a call on a mesh; refuses a NULL mesh.
 template <class Mesh, class Call>
 int guarded(Mesh* mesh, const Call& call) noexcept {
     if (mesh == nullptr) return error_of_thread().note(ANNULUS_NULL_POINTER, "mesh is NULL");

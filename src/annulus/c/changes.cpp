@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// annulus.h: what makes, changes and ends a mesh.
+// The functions of annulus.h that create, change and destroy a mesh.
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
@@ -16,12 +16,12 @@ void hand_over(annulus_mesh& m, Move_report& done, annulus_report* report) {
     write_report(report, done, m.mesh->dimension(), m.changed.size());
 }
 
-/// For calls that are several of Moving_mesh's: after each, one more has been done, and what was changed is known.
+/// For calls that make several calls of Moving_mesh: after each of these, adds its report and its changed cells.
 void add(annulus_mesh& m, const Move_report& one, Move_report& all, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) ++*so_far;
     m.changed.insert(m.changed.end(), one.changed.begin(), one.changed.end());
     all += one;
-    all.changed.clear();  // they are with the mesh
+    all.changed.clear();  // the mesh has them
     all.gone.clear();
     write_report(report, all, m.mesh->dimension(), m.changed.size());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// annulus.h: what a mesh says.
+// The functions of annulus.h that read a mesh.
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
@@ -11,7 +11,7 @@ using namespace annulus::c;
 
 namespace {
 
-/// Writes a value that is there.
+/// Writes a single value to *to.
 template <class To, class Read>
 int answer(const annulus_mesh* mesh, To* to, const char* name, Read read) {
     return guarded(mesh, [&](const annulus_mesh& m) {
@@ -26,7 +26,7 @@ void require_capacity(std::size_t capacity, std::size_t needed, const char* of) 
                       "there is room for " + std::to_string(capacity) + " of " + std::to_string(needed) + ' ' + of);
 }
 
-/// An array by vertex index.
+/// Writes an array by vertex index.
 template <class Read>
 int by_vertex(const annulus_mesh* mesh, std::size_t capacity, const void* array, const char* name, Read read) {
     return guarded(mesh, [&](const annulus_mesh& m) {
@@ -59,7 +59,7 @@ const char* annulus_status_name(int status) {
         case ANNULUS_WRONG_SIZE: return "wrong size";
         case ANNULUS_NOT_FINITE: return "not finite";
         case ANNULUS_OUT_OF_DOMAIN: return "out of domain";
-        case ANNULUS_DUPLICATE_POINT: return "duplicate_point";
+        case ANNULUS_DUPLICATE_POINT: return "duplicate point";
         case ANNULUS_UNKNOWN_VERTEX: return "unknown vertex";
         case ANNULUS_ENVIRONMENT: return "environment";
         case ANNULUS_TOO_LARGE: return "too large";
@@ -91,7 +91,7 @@ int annulus_is_vertex(const annulus_mesh* mesh, int32_t index, int* given) {
 int annulus_strategy(const annulus_mesh* mesh, const char** name) {
     return answer(mesh, name, "name", [](const Any_mesh& m) {
         return name_of(m.strategy()).data();
-    });  // of a literal, so with a 0 behind it
+    });  // a string literal, so it ends with a 0
 }
 
 int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates) {

@@ -24,7 +24,7 @@ Options options_of(const annulus_options* given) {
     require_struct(given->size, sizeof(given->size), "annulus_options");
     annulus_options known{};
     std::memcpy(&known, given, std::min(given->size, sizeof known));
-    // A caller that knows more than this library may not mean anything by it.
+    // A caller compiled with a later version of the header must leave the members unknown to this library at 0.
     const auto* beyond = reinterpret_cast<const unsigned char*>(given);
     for (std::size_t i = sizeof known; i < given->size; ++i)
         if (beyond[i] != 0)

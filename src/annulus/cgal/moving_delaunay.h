@@ -14,30 +14,31 @@ namespace annulus {
 
 /// A Delaunay triangulation that is kept right while its vertices move.
 ///
-/// View is CGAL's triangulation of one dimension as a copy of the mesh (Cgal_view_2<Info>); everything here is the
-/// same in every dimension.
-/// Positions are in the caller's unit of length. With Tolerance_kind::certified the triangulation is Delaunay at the
-/// positions of its vertices after every call, proved. Not thread-safe; const members may run concurrently.
+/// View is CGAL's triangulation of one dimension, as a copy of the mesh (Cgal_view_2<Info>); everything here is the
+/// same in every dimension. Positions are in the caller's unit of length. With Tolerance_kind::certified the
+/// triangulation is Delaunay at the positions of its vertices after every call; this is proved. Not thread-safe;
+/// const members may run concurrently.
 ///
 /// Vertices have an index in input order and a CGAL handle; no move, whatever the strategy, invalidates either.
 /// Removing a vertex leaves its index free; the next insertion takes the index freed last.
 ///
-/// The strategies work on arrays. CGAL's object is a copy of them which triangulation(), vertex() and audit() bring
-/// up to date before they return, for what has changed since; a program that never calls them pays nothing for it. So
-/// ask for triangulation() after a change, also to read the points of handles: a reference of before shows what was
-/// asked for last.
+/// The strategies work on arrays. CGAL's object is a copy of them. triangulation(), vertex() and audit() first bring
+/// it up to date for what has changed since; a program that never calls them pays nothing for it. So call
+/// triangulation() after a change, also before reading the points of handles: an older reference shows the state of
+/// the last such call.
 ///
-/// Errors are annulus::Error; the object is as it was before the call that threw, except that after a duplicate point
-/// tolerances may have been recomputed and measured from other fixed positions. Every function that takes a handle
-/// throws unknown_vertex for a null one, the vertex at infinity, and a vertex of another triangulation. The handle of
-/// a vertex that was removed dangles and must not be used. too_large: the triangulation would have, or had for a
-/// while on the way, more cells or vertices than indices can name (limits.h).
+/// Errors are annulus::Error; the object is then as it was before the call, except that after a duplicate point
+/// tolerances may have been recomputed and be measured from other fixed positions. Every function that takes a handle
+/// throws unknown_vertex for a null handle, for the vertex at infinity, and for a vertex of another triangulation.
+/// The handle of a removed vertex dangles and must not be used. too_large: the triangulation would have, or had in
+/// between, more cells or vertices than indices can name (limits.h).
 ///
-/// When memory runs out (std::bad_alloc) positions, indices and handles are as they were, but for `remove`, which
-/// says what holds, and the triangulation is rebuilt there before the exception goes on. Should even that fail,
-/// there are no cells (an audit says so) until a later call that changes something, recompute_tolerances() for one, has
-/// built them. GMP's allocation functions abort the process when they get nothing unless the program sets others
-/// (mp_set_memory_functions); so may CGAL's Mpzf, in predicates of coordinates that are hundreds of bits apart.
+/// When memory runs out (std::bad_alloc), positions, indices and handles are as they were (for `remove` see its
+/// comment), and the triangulation is rebuilt at these positions before the exception is passed on. If even that
+/// fails, there are no cells (an audit says so) until a later call that changes something, recompute_tolerances() for
+/// example, has rebuilt them. GMP's allocation functions abort the process when they get no memory, unless the
+/// program sets others (mp_set_memory_functions); so may CGAL's Mpzf, in predicates of coordinates that are hundreds
+/// of bits apart.
 template <class View>
 class Moving_delaunay {
   public:
@@ -50,14 +51,13 @@ class Moving_delaunay {
     explicit Moving_delaunay(const Options& options = {})
         : Moving_delaunay(std::span<const Coordinates<d>>{}, options) {}
 
-    /// Builds from CGAL points; vertex(i) is the i-th. O(n log n).
-    /// Throws not_finite, out_of_domain, duplicate_point (unless options.merge_duplicates), environment.
+    /// Builds from CGAL points; vertex(i) is the i-th. O(n log n). Throws not_finite, out_of_domain, duplicate_point
+    /// (unless options.merge_duplicates), environment.
     template <std::input_iterator It>
     requires std::is_convertible_v<typename std::iterator_traits<It>::value_type, Point> Moving_delaunay(
         It first, It last, const Options& options = {})
         : Moving_delaunay(std::span<const Coordinates<d>>(coordinates(first, last)), options) {}
-    /// The same from plain coordinates.
-    /// Throws too_large besides.
+    /// The same from plain coordinates. Throws too_large as well.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {})
         : mesh_(std::make_unique<Delaunay_mesh<d>>()),
           engine_(std::make_unique<Engine<d>>(*mesh_, options, make_strategy<d>(*mesh_, options))) {
@@ -65,8 +65,8 @@ class Moving_delaunay {
         view_ = std::make_unique<View>(*mesh_, engine_->positions());
     }
 
-    /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. One that was
-    /// moved from can be destroyed and assigned to, nothing else. O(1).
+    /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. The object that
+    /// was moved from can only be destroyed or assigned to. O(1).
     Moving_delaunay(Moving_delaunay&&) noexcept = default;
     Moving_delaunay& operator=(Moving_delaunay&&) noexcept = default;
     Moving_delaunay(const Moving_delaunay&) = delete;
@@ -79,9 +79,10 @@ class Moving_delaunay {
         invalidate({&i, 1});
         return engine_->move(i, p);
     }
-    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was); the last
-    /// holds for an index that is named twice. While they are fewer than one in 64, under the filters, it costs as
-    /// much as their single moves, else as much as move_all. Throws wrong_size, and what move throws.
+    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
+    /// is named twice, its last point counts. Under a strategy that repairs the mesh, fewer than one vertex in 64 cost
+    /// as much as their single moves; otherwise the call costs as much as move_all. Throws wrong_size, and what move
+    /// throws.
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
         invalidate(indices);
         return engine_->move(indices, points);
@@ -107,9 +108,9 @@ class Moving_delaunay {
         return move(indices, points);
     }
 
-    /// Moves every vertex: points[i] is the new position of vertex i; what stands at a free index is ignored.
-    /// O(n) with a small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points,
-    /// not_finite, out_of_domain, duplicate_point.
+    /// Moves every vertex: points[i] is the new position of vertex i; points at free indices are ignored. O(n) with a
+    /// small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points, not_finite,
+    /// out_of_domain, duplicate_point.
     Move_report move_all(std::span<const Coordinates<d>> points) {
         view_->invalidate();
         return engine_->move_all(points);
@@ -135,8 +136,9 @@ class Moving_delaunay {
         if (report) *report = std::move(done);
         return view_->adopt(i, positions()[at(i)]);
     }
-    /// Removes a vertex; its handle dies, its index is free. Throws unknown_vertex. When memory runs out the vertex
-    /// may be gone: then vertex(i) is null at its index, the last one freed, and everything else is right.
+    /// Removes a vertex. Its handle becomes invalid, its index free. Throws unknown_vertex. When memory runs out, the
+    /// vertex may be gone: then vertex(i) is null at its index, which is the one freed last, and everything else is
+    /// right.
     void remove(Vertex_handle v, Move_report* report = nullptr) {
         Move_report done;
         const Index i = index(v);
@@ -150,20 +152,20 @@ class Moving_delaunay {
         view_->forget(i);
         if (report) *report = std::move(done);
     }
-    /// Makes every fixed position the moving one and every tolerance fresh. O(n). With tolerances that are not
-    /// certified two vertices may have come to one place unnoticed; then it throws duplicate_point, as insert and
-    /// remove do, until one of them has moved away.
+    /// Makes every moving position the fixed one and recomputes every tolerance. O(n). With tolerances that are not
+    /// certified, two vertices may have come to one position unnoticed; then it throws duplicate_point, as do insert
+    /// and remove, until one of them has moved away.
     Move_report recompute_tolerances() {
         view_->invalidate();
         return engine_->recompute_tolerances();
     }
 
-    /// CGAL's object; its points are the positions and it is Delaunay. With tolerances that are not certified its
+    /// CGAL's object; its points are the positions, and it is Delaunay. With tolerances that are not certified, its
     /// points are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
-    /// that have moved since it was asked for last. Throws bad_alloc.
+    /// that have moved since the last call. Throws bad_alloc.
     [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->delaunay_positions()); }
     [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
-    /// One more than the largest index in use or free: the number of points move_all takes.
+    /// One more than the largest index in use or free: the number of points that move_all takes.
     [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
     /// Null for a free index. O(1) after triangulation(). Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const {
@@ -180,33 +182,33 @@ class Moving_delaunay {
             throw Error(Error_code::unknown_vertex, "the handle names no vertex of this triangulation");
         return i;
     }
-    /// Vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
+    /// The vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return engine_->vertex_of_input(); }
 
     [[nodiscard]] Point position(Vertex_handle v) const { return View::point(positions()[at(index(v))]); }
-    /// Positions by index; free entries are unspecified.
+    /// Positions by index; those at free indices are unspecified.
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return engine_->positions(); }
-    /// Where D is measured from; the position itself for strategies without tolerances.
+    /// The position from which D is measured; for strategies without tolerances the position itself.
     [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(engine_->fixed_position(index(v))); }
-    /// How far v may be from its fixed position while every other vertex is within its own tolerance of its own: a
-    /// certified lower bound with Tolerance_kind::certified. After recompute_tolerances() (and always for strategies
-    /// that keep no tolerances) the least tolerance of the certificates of v.
+    /// How far v may be from its fixed position while every other vertex is within its own tolerance: a certified
+    /// lower bound with Tolerance_kind::certified. After recompute_tolerances() (and always for strategies that keep
+    /// no tolerances) the least tolerance of the certificates of v.
     [[nodiscard]] double tolerance(Vertex_handle v) const { return engine_->tolerance(index(v)); }
     /// Upper bound of |position - fixed position|.
     [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
-    /// Least theta of the finite bi-cells of v in radians (theory 4); pi/2 when it has none.
+    /// The least theta of the finite bi-cells of v in radians (theory 4); pi/2 when v has none.
     [[nodiscard]] double theta(Vertex_handle v) const { return mesh_->theta(engine_->delaunay_positions(), index(v)); }
 
-    /// Fresh tolerances, annulus widths and theta of everything, whatever the strategy. O(n).
+    /// Tolerances, annulus widths and theta of everything, computed for this call, whatever the strategy. O(n).
     [[nodiscard]] Measures measure() const { return mesh_->measure(engine_->delaunay_positions()); }
 
-    /// Every finite cell, by vertex indices. O(n).
+    /// Every finite cell, as vertex indices. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
 
     /// Exact verdict on the cells at the present positions; see audit.h. Faults of CGAL's object itself count as
-    /// topological ones: handles let a caller write in it (`vertex(i)->set_point(p)`), and what was written is no
-    /// motion that the strategy knows of. So the points of its vertices must be what triangulation() says they are,
-    /// its cells must fit together, and be those of the mesh. O(n).
+    /// topological ones: handles allow a caller to write in it (`vertex(i)->set_point(p)`), which the strategy does
+    /// not see. So the points of its vertices must be those that triangulation() promises, and its cells must fit
+    /// together and be those of the mesh. O(n).
     [[nodiscard]] Audit_result audit() const {
         Audit_result object;
         (void)triangulation();
@@ -216,13 +218,13 @@ class Moving_delaunay {
         if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);
         return result;
     }
-    /// The finite cells and the present positions, free indices squeezed out.
+    /// The finite cells and the present positions, renumbered without the free indices.
     [[nodiscard]] Audit_input<d> audit_input() const { return engine_->audit_input(); }
 
     [[nodiscard]] const Options& options() const { return engine_->options(); }
     /// The strategy in force: that of the options, except that `paper-hybrid` becomes `paper` when it switches.
     [[nodiscard]] Strategy strategy() const { return engine_->strategy(); }
-    /// What the strategies work on.
+    /// The mesh that the strategies work on.
     [[nodiscard]] const Delaunay_mesh<d>& mesh() const { return *mesh_; }
 
   private:
@@ -234,8 +236,8 @@ class Moving_delaunay {
         return x;
     }
 
-    /// These vertices are about to move. Under the paper's algorithm the triangulation stands at other positions than
-    /// these, of which others may move, too.
+    /// These vertices are about to move. Under the paper's algorithm the triangulation is at other positions than
+    /// these, of which others may change, too.
     void invalidate(std::span<const Index> indices) noexcept {
         if (strategy() == Strategy::paper) return view_->invalidate();
         view_->invalidate_cells();

@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// The vertex info of a triangulation whose caller wants none.
+/// The vertex info of a triangulation without any.
 struct No_info {};
 
 }  // namespace annulus

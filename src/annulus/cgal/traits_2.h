@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// What Cgal_view asks of CGAL's 2D triangulation. Its cells are faces.
+/// What Cgal_view uses of CGAL's 2D triangulation. Its cells are faces.
 template <class Info>
 struct Cgal_traits_2 {
     static constexpr int dimension = 2;
@@ -21,7 +21,7 @@ struct Cgal_traits_2 {
     [[nodiscard]] static Cell_handle cell_of(Vertex_handle v) { return v->face(); }
     static void set_cell_of(Vertex_handle v, Cell_handle c) { v->set_face(c); }
     [[nodiscard]] static auto& cells(Tds& tds) { return tds.faces(); }
-    /// Every cell, those with infinity too. Precondition: dimension 2.
+    /// Visits every cell, including those with infinity. Precondition: dimension 2.
     template <class Visit>
     static void for_each_cell(const Triangulation& tr, Visit visit) {
         for (auto c = tr.all_faces_begin(); c != tr.all_faces_end(); ++c) visit(Cell_handle(c));

@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// What Cgal_view asks of CGAL's 3D triangulation.
+/// What Cgal_view uses of CGAL's 3D triangulation.
 template <class Info>
 struct Cgal_traits_3 {
     static constexpr int dimension = 3;
@@ -21,7 +21,7 @@ struct Cgal_traits_3 {
     [[nodiscard]] static Cell_handle cell_of(Vertex_handle v) { return v->cell(); }
     static void set_cell_of(Vertex_handle v, Cell_handle c) { v->set_cell(c); }
     [[nodiscard]] static auto& cells(Tds& tds) { return tds.cells(); }
-    /// Every cell, those with infinity too. Precondition: dimension 3.
+    /// Visits every cell, including those with infinity. Precondition: dimension 3.
     template <class Visit>
     static void for_each_cell(const Triangulation& tr, Visit visit) {
         for (auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c) visit(Cell_handle(c));

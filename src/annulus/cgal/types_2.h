@@ -20,7 +20,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// CGAL's vertex with the caller's info and the index in input order.
 template <class Info, class Gt, class Vb = CGAL::Triangulation_vertex_base_with_info_2<Info, Gt>>
 class Indexed_vertex_base_2 : public Vb {
-    // CGAL's containers take what threw in its constructor for an element that is there.
+    // When a constructor throws, CGAL's containers treat the element as constructed.
     static_assert(std::is_nothrow_default_constructible_v<Info>, "the default constructor of Info must be noexcept");
 
   public:

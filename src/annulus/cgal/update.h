@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Cgal_view: what keeps it up to date.
+// Cgal_view: how it is brought up to date.
 #include <annulus/cgal/view.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ Cgal_view<Traits>::Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates
     mesh.table().set_dirty_cells(dirty_cells_);
 }
 
-/// In the order of cells, which is one of places, so that vertices near each other are so in memory.
+/// In the order of cells, which is a spatial one, so that vertices near each other are near in memory.
 template <class Traits>
 void Cgal_view<Traits>::create_vertices() {
     const auto create = [this](Index v) {
@@ -107,7 +107,7 @@ void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
         for (const Index v : moved_.vertices) show(at(v));
 }
 
-/// Its vertices and neighbours, all of which have a cell of CGAL's.
+/// Writes the vertices and neighbours of a cell. Precondition: each neighbour has a CGAL cell.
 template <class Traits>
 void Cgal_view<Traits>::write_cell(Cell_index c) const {
     const Corner_table<d>& t = mesh_.table();
@@ -147,14 +147,14 @@ void Cgal_view<Traits>::write_cells(std::span<const Cell_index> cells) const {
         if (c < t.cell_bound() && t.is_cell(c)) write_cell(c);
 }
 
-/// The cells that there are are written over, in their order in memory.
+/// Overwrites the existing CGAL cells, in their order in memory.
 template <class Traits>
 void Cgal_view<Traits>::write_all_cells() const {
     const Corner_table<d>& t = mesh_.table();
     auto& tds = tr_.tds();
     auto& there = Traits::cells(tds);
     const std::size_t bound = t.cell_bound().offset();
-    cell_.reserve(bound + bound / 32);  // so that write_cells() seldom moves it
+    cell_.reserve(bound + bound / 32);  // so that write_cells() seldom reallocates
     cell_.assign(bound, Cell_handle());
     auto next = there.begin();
     for (const Cell_index c : t.cells())
@@ -176,7 +176,7 @@ void Cgal_view<Traits>::remove_cells() const noexcept {
     cell_.clear();
 }
 
-/// CGAL's cells of points in a hyperplane have a corner less, or two.
+/// For points in a hyperplane, CGAL's cells have one corner less, or two.
 template <class Traits>
 void Cgal_view<Traits>::write_flat_cells(std::span<const Coordinates<d>> x) const {
     const Flat_cells flat = mesh_.flat_cells(x);
@@ -196,7 +196,7 @@ void Cgal_view<Traits>::write_flat_cells(std::span<const Coordinates<d>> x) cons
     tds.set_dimension(flat.dimension);
 }
 
-/// At most one vertex: the cells that CGAL has for it.
+/// For at most one vertex: the cells that CGAL has for it.
 template <class Traits>
 void Cgal_view<Traits>::write_vertices() const {
     const auto one = std::find_if(handle_.begin(), handle_.end(), [](Vertex_handle v) { return v != Vertex_handle(); });

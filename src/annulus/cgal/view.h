@@ -14,12 +14,12 @@
 
 namespace annulus {
 
-/// A mesh as a triangulation of CGAL's: a copy that is brought up to date when it is asked for. Traits is
-/// Cgal_traits_2<Info> or Cgal_traits_3<Info>.
+/// A mesh as a CGAL triangulation: a copy, brought up to date on request. Traits is Cgal_traits_2<Info> or
+/// Cgal_traits_3<Info>.
 ///
-/// Vertices are made and removed with those of the mesh, so handles and info live as long as they; cells and points
-/// follow in update(), by a log of what has changed. Cells are written over where they are, which costs a tenth of what
-/// it costs to create them.
+/// Vertices are created and removed with those of the mesh, so handles and info live as long as these. Cells and
+/// points follow in update(), by a log of what has changed (Dirty_cells). Cells are overwritten in place, which costs
+/// a tenth of creating them.
 template <class Traits>
 class Cgal_view {
   public:
@@ -33,16 +33,16 @@ class Cgal_view {
     [[nodiscard]] static Coordinates<d> coordinates(const Point& p) { return Traits::coordinates(p); }
     [[nodiscard]] static Point point(const Coordinates<d>& x) { return Traits::point(x); }
 
-    /// Of a mesh that is built, at x, which is not changed any more once the view is gone. O(n).
+    /// Copies a mesh that is built, at positions x. The mesh must not change any more once the view is gone. O(n).
     Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x);
     Cgal_view(const Cgal_view&) = delete;
     Cgal_view& operator=(const Cgal_view&) = delete;
 
-    /// Brings it up to date with the mesh, whose positions are x: O(k) for k cells that have changed and vertices
-    /// that have moved. Safe from several threads at once; the mesh does not change meanwhile. When it throws
-    /// (bad_alloc), the next call begins again.
+    /// Brings the copy up to date with the mesh, whose positions are x: O(k) for k cells that have changed and
+    /// vertices that have moved. May be called by several threads at once, while the mesh does not change. When it
+    /// throws (bad_alloc), the next call starts again.
     const Triangulation& update(std::span<const Coordinates<d>> x) const;
-    /// Cells are about to change, and vertex v, or all vertices, to move.
+    /// To be called before cells change; the others before vertex v, or every vertex, moves.
     void invalidate_cells() noexcept { state_.current = false; }
     void invalidate(Index v) noexcept;
     void invalidate() noexcept {
@@ -52,17 +52,17 @@ class Cgal_view {
 
     /// Null for a free index.
     [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
-    /// Makes a vertex for adopt() to take or drop_reserved() to remove. Throws bad_alloc, with nothing changed.
+    /// Creates a vertex for adopt() to take or drop_reserved() to remove. Throws bad_alloc, with nothing changed.
     void reserve_vertex();
     void drop_reserved() noexcept;
-    /// v is in the mesh now, at p. Precondition: reserve_vertex().
+    /// v is in the mesh now, at p. Precondition: reserve_vertex() was called.
     Vertex_handle adopt(Index v, const Coordinates<d>& p) noexcept;
-    /// v is not in the mesh any more. Its handle dies.
+    /// v is not in the mesh any more. Its handle becomes invalid.
     void forget(Index v) noexcept;
 
-    /// Adds to a verdict what is wrong with CGAL's object itself: points of vertices that are not at x, cells that do
-    /// not fit together or are not those of the mesh. False when not every vertex of a cell has an index, so that
-    /// there are no cells to judge. O(n). Precondition: update(x).
+    /// Adds to `result` what is wrong with CGAL's object itself: points of vertices that are not at x, cells that do
+    /// not fit together or are not those of the mesh. False when a vertex of a cell has no index, so that there are
+    /// no cells to audit. O(n). Precondition: update(x).
     bool audit(std::span<const Coordinates<d>> x, Audit_result& result) const;
 
   private:
@@ -101,7 +101,7 @@ class Cgal_view {
     Delaunay_mesh<d>& mesh_;
     mutable Triangulation tr_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a free index
-    Vertex_handle spare_;                // of reserve_vertex()
+    Vertex_handle spare_;                // made by reserve_vertex()
     mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
     mutable Dirty_cells dirty_cells_;
     mutable Moved moved_;

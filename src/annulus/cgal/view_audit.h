@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Cgal_view: whether CGAL's object is still what update() made it. Its handles let callers write in it although it is
-// const.
+// Cgal_view: whether CGAL's object is still as update() made it. Its handles allow callers to write in it although it
+// is const.
 #include <annulus/cgal/view.h>
 #include <annulus/mesh/audit.h>
 
@@ -31,8 +31,8 @@ template <std::size_t n>
 
 }  // namespace detail
 
-/// Vertices: each ours, at its place in x, in the cell it names; and none is missing. False when a cell names a vertex
-/// that is none of them.
+/// Audits the vertices: each is ours, at its position in x, in the cell that it names, and none is missing. False
+/// when a cell has a vertex that is not ours.
 template <class Traits>
 bool Cgal_view<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const {
     const auto ours = [this](Vertex_handle v) {
@@ -75,7 +75,7 @@ bool Cgal_view<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_
     return named;
 }
 
-/// Cells of dimension d: neighbours share a facet, mutually, and the mesh has the same.
+/// Audits cells of dimension d: neighbours share a facet, mutually, and the mesh has the same neighbours.
 template <class Traits>
 void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
     const auto written = [this](Cell_handle c) {
@@ -83,7 +83,7 @@ void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
         for (const Index v : points_of(c)) s += v == infinite ? " infinity" : " " + std::to_string(v);
         return s;
     };
-    // The facet of c opposite to slot i is that of n opposite to slot j.
+    // Whether the facet of c opposite to slot i is that of n opposite to slot j.
     const auto glued = [](Cell_handle c, int i, Cell_handle n, int j) {
         for (int k = 0; k <= d; ++k)
             if (k != i && (!n->has_vertex(c->vertex(k)) || n->index(c->vertex(k)) == j)) return false;

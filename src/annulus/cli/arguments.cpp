@@ -29,7 +29,7 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
         const auto [stop, error] = std::from_chars(word.data(), end, value);
         const bool plain = error == std::errc() && stop == end && (word[0] != '0' || word.size() == 1);
         if (plain && value >= least && value <= most) return std::string();
-        return "'" + word + "' is no whole number from " + range;
+        return "'" + word + "' is not a whole number from " + range;
     };
     return {check, most < std::numeric_limits<std::uint64_t>::max() ? range : "", "whole number"};
 }
@@ -38,7 +38,7 @@ CLI::Validator number_within(double least, double most) {
     const CLI::Range range(least, most);
     const auto check = [range](const std::string& word) {
         double value = 0;
-        if (CLI::detail::lexical_cast(word, value) && std::isnan(value)) return "'" + word + "' is no number";
+        if (CLI::detail::lexical_cast(word, value) && std::isnan(value)) return "'" + word + "' is not a number";
         return range(word);
     };
     return {check, range.get_description(), "number"};
@@ -50,7 +50,7 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, co
         ->check([](const std::string& word) {
             return word.empty() ? std::string("the name of a directory is empty") : "";
         });
-    app.add_flag("--force", a.force, "Write to a directory that holds other files than results; they stay");
+    app.add_flag("--force", a.force, "Write to a directory that holds files other than results; these are kept");
     app.add_option("--seed", a.seed, words.seed)
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
@@ -59,7 +59,7 @@ void add_common(CLI::App& app, Common_arguments& a, const std::string& files, co
 }
 
 void add_format(CLI::App& app, std::string& format, std::span<const Format> formats) {
-    app.add_option("--format", format, "What the file is, whatever its extension says; standard input has none")
+    app.add_option("--format", format, "Format of the file, whatever its extension says; standard input has none")
         ->check(CLI::IsMember(names_of(formats)));
 }
 
@@ -69,7 +69,7 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
                                "tolerances-each", "paper", "paper-hybrid"}))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance,
-                   "Kind of tolerance; only certified ones are proved, and others are for the strategies paper and "
+                   "Kind of tolerance; only certified ones are proved, the others are for the strategies paper and "
                    "paper-hybrid")
         ->check(CLI::IsMember({"certified", "paper", "floating"}))
         ->capture_default_str();

@@ -41,7 +41,7 @@ nlohmann::ordered_json json(const Mesh_file<d>& mesh, const Audit_result& r, con
             {"first_fault", r.first_fault}};
 }
 
-/// "edge", "triangle", "tetrahedron": what the cells of the mesh are, by the corners of the first.
+/// The number of cells and their kind, "edge", "triangle" or "tetrahedron", from the corners of the first cell.
 template <int d>
 std::string cells_of(const Mesh_file<d>& mesh) {
     if (mesh.cells.empty()) return "no cells";
@@ -83,11 +83,11 @@ int run(const Audit_call& a, const std::string& command) {
 
 Run add_audit_command(CLI::App& app, const Invocation& invocation) {
     auto* sub =
-        app.add_subcommand("audit", "Exact verdict: is this Medit mesh the Delaunay triangulation of its points?");
+        app.add_subcommand("audit", "Exact check: is this Medit mesh the Delaunay triangulation of its points?");
     const auto a = std::make_shared<Audit_call>();
     sub->add_option(
            "FILE", a->file,
-           "A .mesh file with vertices and triangles, or tetrahedra (edges, triangles where all points are flat)")
+           "A .mesh file with vertices and triangles, or tetrahedra (edges or triangles if all points are flat)")
         ->required();
     add_common(*sub, a->common, "audit.json", {no_seed, no_threads});
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

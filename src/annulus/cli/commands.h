@@ -9,10 +9,10 @@
 
 namespace annulus::cli {
 
-/// A subcommand registers itself with the application and leaves what runs it: a call that returns the exit status.
+/// A subcommand registers itself with the application and returns a function that runs it and returns the exit status.
 using Run = std::function<int()>;
 
-/// `words` is the command line without the program, `inner` what followed `--`.
+/// `words` is the command line without the program, `inner` the part after `--`.
 struct Invocation {
     std::vector<std::string> words;
     std::vector<std::string> inner;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path of the program, whatever links lead to it.
+/// The path of the companion program, also if this program was started through links.
 fs::path find_companion(const std::string& program) {
     const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
     for (const fs::path& directory : {here, here.parent_path() / ANNULUS_LIBEXEC}) {
@@ -27,7 +27,7 @@ fs::path find_companion(const std::string& program) {
                              here.string());
 }
 
-/// The process becomes `program`; throws where that fails.
+/// Replaces the process by `program`; throws if that fails.
 [[noreturn]] void become(const std::string& program, const Invocation& invocation) {
     const std::string path = find_companion(program).string();
     std::vector<char*> argv{const_cast<char*>(path.c_str())};
@@ -37,7 +37,7 @@ fs::path find_companion(const std::string& program) {
     throw std::system_error(errno, std::generic_category(), path);
 }
 
-/// Whether the command line begins with this subcommand: its arguments, --help included, are read by what it becomes.
+/// Whether the command line begins with this subcommand: then the companion parses its arguments, including --help.
 bool is_first(const Invocation& invocation, std::string_view name) {
     return !invocation.words.empty() && invocation.words.front() == name;
 }

@@ -29,7 +29,7 @@ struct Compare_call {
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
 };
 
-/// "tolerances", "paper:floating": a strategy, and where it differs from the rest of the command its kind of tolerance.
+/// Parses "tolerances" or "paper:floating": a strategy, and its kind of tolerance if that differs from the command's.
 Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
     const std::size_t colon = name.find(':');
     t.strategy = name.substr(0, colon);
@@ -45,7 +45,7 @@ void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record
         const Audit_result audit = trackers[k].triangulation().audit();
         const std::string& name = trackers[k].record().strategy;
         if (!audit.delaunay()) out.disagreements.push_back(name + " is not Delaunay at the end: " + audit.first_fault);
-        // Where points are cocircular or cospherical the triangulation is not unique, and the audits decide.
+        // If points are cocircular or cospherical, the triangulation is not unique, and only the audits count.
         if (!degenerate && trackers[k].canonical_cells() != cells)
             out.disagreements.push_back(name + " ends with other cells than " + trackers[0].record().strategy);
     }
@@ -113,8 +113,8 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
     std::optional<Picture> before;
     if (files) before = motion.picture(trackers[0].triangulation(), "Before");
 
-    // Some consecutive time steps are recorded, so that each strategy follows them without the others (and the
-    // motion) using up its caches between two steps.
+    // Blocks of consecutive time steps are recorded. Each strategy follows a whole block, so that the other strategies
+    // and the motion do not replace its data in the caches between two steps.
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
     std::vector<Time_step<d>> block;
     std::optional<Interruption_guard> guard;
@@ -168,14 +168,14 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
 }
 
 int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt) {
-    // The inner command is parsed by the same rules as when it stands alone.
+    // The inner command is parsed by the same rules as a command of its own.
     CLI::App inner("the motion to compare on", "annulus compare --");
     Common_arguments common;
     Tracking_arguments tracking;
     Lloyd_arguments lloyd;
     Nodt_arguments nodt;
     Replay_arguments replay;
-    auto* lloyd_command = inner.add_subcommand("lloyd", "Lloyd iterations in the plane");
+    auto* lloyd_command = inner.add_subcommand("lloyd", "Lloyd iterations in 2D");
     auto* nodt_command = inner.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh");
     auto* replay_command = inner.add_subcommand("replay", "A recorded motion");
     add_lloyd(*lloyd_command, lloyd);
@@ -202,7 +202,7 @@ int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt
     if (chosen.count("--threads") == 0) common.threads = a.common.threads;
     common.quiet = common.quiet || a.common.quiet;
     for (const std::string& name : a.strategies)
-        (void)options_of(variant(tracking, name), common);  // wrong usage first
+        (void)options_of(variant(tracking, name), common);  // reports wrong usage before anything is read
     if (!a.common.output.empty()) require_writable(a.common);
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);

@@ -13,8 +13,8 @@ namespace annulus::cli {
 using Make_nodt = std::unique_ptr<Guided_motion<Moving_mesh_3>> (*)(const Nodt_arguments& arguments,
                                                                     const Common_arguments& common);
 
-/// `compare`, in the program that has natural ODT and in the one that leaves that to it: there `make_nodt` is null and
-/// `-- nodt` does not come here.
+/// `compare`, both in annulus-nodt, which has natural ODT, and in annulus, which runs annulus-nodt for `-- nodt`: there
+/// `make_nodt` is null and not used.
 Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt);
 
 }  // namespace annulus::cli

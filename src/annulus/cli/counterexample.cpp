@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Five points of space at which the paper's tolerance is too large (docs/theory.md 3).
+// Five points in 3D for which the paper's tolerance is too large (docs/theory.md 3).
 #include <annulus/arithmetic/error.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
@@ -43,7 +43,7 @@ Run add_counterexample_command(CLI::App& app, const Invocation& invocation) {
     };
     auto* sub = app.add_subcommand(
         "counterexample",
-        "Five points of space where the paper's tolerance accepts a triangulation that is no longer Delaunay");
+        "Five points in 3D where the paper's tolerance accepts a triangulation that is no longer Delaunay");
     const auto a = std::make_shared<Arguments>();
     sub->add_option("--delta", a->delta, "How far a and b are inside the unit sphere, 2^-40 to 0.1")
         ->check(number_within(0x1p-40, 0.1))

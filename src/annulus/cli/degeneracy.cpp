@@ -34,19 +34,19 @@ namespace {
 struct Degeneracy_call {
     Common_arguments common;
     std::string file;
-    int dimension = 0;  // that of the file
+    int dimension = 0;  // 0: that of the file
     bool ignore_z = false;
     std::string format;
     bool open = false;                   // a periodic box is ignored
-    std::optional<std::uint64_t> frame;  // the number of one
-    std::uint64_t every = 0;             // of a motion; 0: the file is a point set, or `frame`
+    std::optional<std::uint64_t> frame;  // the number of the frame to study, if the file is a motion
+    std::uint64_t every = 0;             // study every N-th frame of a motion; 0: a point set, or `frame`
     std::vector<std::string> thresholds;
     std::string raw;
 
     [[nodiscard]] bool of_motion() const { return frame || every > 0; }
 };
 
-/// Writes one line a certificate, whose points are named by ids.
+/// Writes one line per certificate, with the ids of its points.
 template <int d>
 class Raw_file {
   public:
@@ -86,7 +86,7 @@ class Raw_file {
     std::string text_;
 };
 
-/// "1e-4", as it is written.
+/// Each threshold as text, for example "1e-4", and as a number.
 std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std::string>& words) {
     std::vector<std::pair<std::string, double>> thresholds;
     for (const std::string& word : words) {
@@ -94,7 +94,7 @@ std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std:
         const char* const end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data(), end, value);
         if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
-            throw Error(Error_code::usage, "--thresholds: '" + word + "' is no positive number");
+            throw Error(Error_code::usage, "--thresholds: '" + word + "' is not a positive number");
         for (const auto& [name, other] : thresholds)
             if (other == value) throw Error(Error_code::usage, "--thresholds: " + word + " is named twice");
         thresholds.emplace_back(word, value);
@@ -105,7 +105,7 @@ std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std:
     return thresholds;
 }
 
-/// x are distinct, and named by `id`.
+/// Precondition: the points x are distinct. `id` has their ids.
 template <int d>
 Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const std::vector<Coordinates<d>>& x,
                                std::span<const std::uint64_t> id) {
@@ -139,7 +139,7 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
 template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
     const std::vector<Coordinates<d>> x = distinct_points(file, 2);
-    std::vector<std::uint64_t> place;  // in the file, of each that is kept
+    std::vector<std::uint64_t> place;  // for each distinct point, its index in the file
     const auto first = first_at_place<d>(file.points);
     for (std::size_t i = 0; i < first.size(); ++i)
         if (first[i] == i) place.push_back(i);
@@ -179,7 +179,7 @@ void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& co
     if (!a.common.quiet) print_degeneracy(r);
 }
 
-/// How degenerate each N-th frame is: a curve.
+/// Studies every N-th frame, for curves.
 template <int d>
 void study_motion(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
     Degeneracy_series series{command, frames.reader().name(), d, a.thresholds, {}, {}};
@@ -235,7 +235,7 @@ int run(const Degeneracy_call& a, const std::string& command) {
     if (!a.raw.empty()) require_replaceable(a.raw);
     std::error_code ignored;
     if (!a.raw.empty() && !a.common.force && std::filesystem::exists(std::filesystem::symlink_status(a.raw, ignored)))
-        throw Error(Error_code::usage, a.raw + " is there already; --force replaces it");
+        throw Error(Error_code::usage, a.raw + " already exists; --force replaces it");
     if (!a.common.output.empty()) require_writable(a.common, is_degeneracy);
     if (a.of_motion()) {
         run_motion(a, command);
@@ -268,7 +268,7 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
     add_open(*sub, a->open);
     auto* frame =
-        sub->add_option("--frame", a->frame, "The frame of a motion that the file calls N (.xyz: counted from 0)")
+        sub->add_option("--frame", a->frame, "The frame of a motion with number N in the file (.xyz: counted from 0)")
             ->type_name("N")
             ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
     auto* every =
@@ -280,7 +280,7 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
                     "Widths to count below, in mean spacings, separated by commas (1e-3,1e-6,1e-9,1e-12)")
         ->delimiter(',')
         ->type_name("LIST");
-    sub->add_option("--raw", a->raw, "Write every certificate to this file, a line of CSV each; .gz packs it")
+    sub->add_option("--raw", a->raw, "Write every certificate to this file, one line of CSV each; .gz compresses it")
         ->type_name("FILE")
         ->excludes(every);
     add_common(*sub, a->common, "degeneracy.json and degeneracy.html",

@@ -24,14 +24,14 @@ namespace annulus::cli {
 
 namespace {
 
-/// Tolerance and theta of every vertex there is.
+/// Tolerance and theta of every vertex, without free indices.
 template <class Moving>
 std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& dt, const Measures& m) {
     std::pair<std::vector<double>, std::vector<double>> fields;
     for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
         const auto v = static_cast<Index>(i);
         if (!dt.is_vertex(v)) continue;
-        fields.first.push_back(m.tolerance[i]);  // infinite where nothing can fail
+        fields.first.push_back(m.tolerance[i]);  // infinite if nothing can fail
         fields.second.push_back(dt.theta(v));
     }
     return fields;
@@ -41,7 +41,7 @@ std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& 
 Vtu_field least_angles(const std::vector<Coordinates<3>>& points, const std::vector<std::array<Index, 4>>& cells) {
     std::vector<double> angles;
     for (const auto& cell : cells) {
-        double most = -1;  // the largest cosine; a facet without area is an angle of 0
+        double most = -1;  // the largest cosine; a facet without area gives an angle of 0
         const auto x = [&](std::size_t i) { return points[static_cast<std::size_t>(cell[i])]; };
         for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3)))
             most = std::max(most, std::isnan(cosine) ? 1.0 : std::min(cosine, 1.0));
@@ -62,7 +62,7 @@ void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker
     constexpr int d = Moving::dimension_of_space;
     const Run_record& run = tracker.record();
     const Moving& dt = tracker.triangulation();
-    const Audit_input<d> in = dt.audit_input();  // the simplices of a flat set, if it is one
+    const Audit_input<d> in = dt.audit_input();  // for a flat set it has the simplices of lower dimension
     if (page.cells.empty())
         std::copy_if(in.cells.begin(), in.cells.end(), std::back_inserter(page.cells),
                      [](const auto& c) { return c[d] != none; });

@@ -14,38 +14,39 @@
 
 namespace annulus::cli {
 
-/// What `write_run` writes, in words.
+/// The files that `write_run` writes, for --help.
 inline constexpr const char* run_files = "summary.json, iterations.csv, final.mesh, final.vtu and report.html";
 
-/// What a run has for its files and its page besides what its tracker knows.
+/// The content of the files and the page of a run that its tracker does not have.
 template <class Moving>
 struct Run_page {
     using Cell = std::array<Index, static_cast<std::size_t>(Moving::dimension_of_space) + 1>;
 
-    std::string step;  ///< what a step is called in the heading: "Lloyd iteration"
+    std::string step;  ///< the name of a step in the heading: "Lloyd iteration"
     std::optional<Picture> before{}, after{};
-    Film film{};  ///< in their place
+    Film film{};  ///< instead of these two
     std::vector<Figure> figures{};
     std::vector<std::string> notes{};
-    std::vector<Cell> cells{};                             ///< the solid ones, where they have an order of their own
-    std::vector<Vtu_field> point_fields{}, cell_fields{};  ///< of final.vtu, further ones
-    std::vector<std::pair<std::string, std::string>> files{};  ///< further ones, and what is in them
+    std::vector<Cell> cells{};                                 ///< the solid cells, if they have their own order
+    std::vector<Vtu_field> point_fields{}, cell_fields{};      ///< additional fields of final.vtu
+    std::vector<std::pair<std::string, std::string>> files{};  ///< names and contents of additional files
     Frame_files<Moving>* frames = nullptr;
 };
 
-/// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, and what its page has, all
-/// or none: to --output, or beside it when the run was interrupted.
+/// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, and the additional files of
+/// its page, all or none: to --output, or to DIR.partial if the run was interrupted.
 template <class Moving>
 void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker, Run_page<Moving> page);
 
 /// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration".
 [[nodiscard]] std::string title_of(const Run_record& run, const std::string& step, const std::string& names);
 
-/// One line on standard error: how far an interrupted run came, of `steps` where that is known, and where that is.
+/// Prints one line on standard error: how many steps an interrupted run did, of `steps` if that is known, and the
+/// directory with its results.
 void say_interrupted(const Common_arguments& arguments, std::uint64_t done_steps,
                      std::optional<std::uint64_t> steps = std::nullopt);
 
-/// The few lines a run prints at its end.
+/// Prints the summary at the end of a run.
 template <class Moving>
 void print_summary(const Tracker<Moving>& tracker);
 

@@ -13,19 +13,19 @@
 
 namespace annulus::cli {
 
-/// The points that are there: ids, ascending, and the index of each in the triangulation.
+/// The points that are present: their ids, ascending, and the index of each in the triangulation.
 struct Present {
     std::vector<std::uint64_t> id;
     std::vector<Index> index;
 };
 
-/// What leads from the points that are there to a frame.
+/// The change from the points that are present to the next frame.
 template <int d>
 struct Frame_change {
     std::vector<Index> leave;
     std::vector<Coordinates<d>> x, arrive;
-    std::vector<Index> index;  ///< of the frame's points; `none` for those that arrive
-    double sum = 0, max = 0;   ///< how far those go that stay
+    std::vector<Index> index;  ///< of the points of the frame; `none` for those that arrive
+    double sum = 0, max = 0;   ///< sum and maximum of the displacements of the points that stay
     std::size_t moved = 0;
 
     Frame_change(const Present& present, std::span<const Coordinates<d>> now, const Frame_points<d>& frame)
@@ -53,12 +53,11 @@ struct Frame_change {
     [[nodiscard]] double mean() const { return moved > 0 ? sum / static_cast<double>(moved) : 0; }
 };
 
-/// The unit of length: the d-th root of the volume of the points' box for each of them; for flat sets in fewer
-/// dimensions.
+/// The unit of length: the d-th root of the volume of the bounding box per point; for flat sets, in fewer dimensions.
 template <int d>
 [[nodiscard]] double spacing_of(std::span<const Coordinates<d>> points) {
     if (points.empty()) return 1;
-    double logarithms = 0;  // no overflow
+    double logarithms = 0;  // the product of the sides could overflow
     int dimension = 0;
     for (std::size_t k = 0; k < d; ++k) {
         const auto [low, high] = std::minmax_element(points.begin(), points.end(),

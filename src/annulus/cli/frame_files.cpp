@@ -24,7 +24,7 @@ std::string file_of(std::size_t step) {
     return "frame-" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".vtu";
 }
 
-/// Of the bounded cells.
+/// Statistics of the bounded cells.
 Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::vector<Index>& neighbours,
                                  const std::vector<std::size_t>& vertices) {
     Frame_record::Voronoi out;
@@ -71,7 +71,7 @@ void prepare(const Frame_arguments& frames, const Common_arguments& common, Opti
     if (common.output.empty())
         throw Error(Error_code::usage, "--every, --voronoi and --changes write files: say where with --output DIR");
     if (frames.voronoi && options.tolerance != Tolerance_kind::certified)
-        throw Error(Error_code::usage, "--voronoi is of Delaunay triangulations, which takes --tolerance certified");
+        throw Error(Error_code::usage, "--voronoi needs Delaunay triangulations, that is, --tolerance certified");
     options.report_changes = frames.changes;
 }
 
@@ -152,7 +152,7 @@ void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& reco
         text += c.made ? ",made\n" : ",broken\n";
     }
     changes_->write(text);
-    if (!records_.empty()) record.pairs = pairs;  // of the first frame there is no frame before
+    if (!records_.empty()) record.pairs = pairs;  // not for the first frame: there is no frame before it
 }
 
 template <class Moving>
@@ -173,7 +173,7 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& c
     }
     std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> solid;
     for (auto cell : cells.vertices) {
-        if (cell[d] == none) continue;  // of a flat set
+        if (cell[d] == none) continue;  // the cell of a flat set
         for (Index& v : cell) v = place[static_cast<std::size_t>(v)];
         solid.push_back(cell);
     }

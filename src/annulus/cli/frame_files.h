@@ -16,7 +16,7 @@
 
 namespace annulus::cli {
 
-/// What is to be written of the frames of a run.
+/// Which data of the frames of a run are written.
 struct Frame_arguments {
     std::uint64_t every = 0;  ///< 0: no frames
     bool voronoi = false;
@@ -26,30 +26,31 @@ struct Frame_arguments {
 };
 
 void add_frames(CLI::App& app, Frame_arguments& arguments);
-/// Throws Error(usage) for what does not go together; `options` are told what to report.
+/// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
-/// What --every, --voronoi and --changes write: frames.pvd and its frames, voronoi.csv, changes.csv. They are written
-/// while the run goes on, beside the place of --output, and taken over at its end; memory does not depend on how many
-/// frames there are, but for what the curves of the page are made of.
+/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv. They are written
+/// during the run, next to the directory of --output, and moved there at its end. Memory does not depend on the number
+/// of frames, except for the data of the curves on the page.
 template <class Moving>
 class Frame_files {
   public:
     static constexpr int d = Moving::dimension_of_space;
 
-    /// Listens to the tracker, and outlives its steps. Vertices have their indices for ids until they are named.
+    /// Becomes the listener of the tracker. This object must exist as long as the tracker makes steps. The id of a
+    /// vertex is its index until `name` sets another.
     Frame_files(const Common_arguments& common, const Frame_arguments& frames, Tracker<Moving>& tracker);
     Frame_files(const Frame_files&) = delete;
     Frame_files& operator=(const Frame_files&) = delete;
 
     void name(Index v, std::uint64_t id);
-    /// The ids of the points that the next step inserts, in its order.
+    /// The ids of the points that the next step inserts, in the order of insertion.
     void arriving(const std::vector<std::uint64_t>& ids) { arriving_.assign(ids.begin(), ids.end()); }
-    /// A frame is complete: before the first step, and after each.
+    /// To be called for each complete frame: before the first step, and after each step.
     void frame(std::uint64_t number);
 
     [[nodiscard]] const std::vector<Frame_record>& records() const { return records_; }
-    /// Ends the files and hands them over.
+    /// Completes the files and moves them to `out`.
     void write(Result_files& out);
 
   private:
@@ -68,7 +69,7 @@ class Frame_files {
     Neighbour_changes<d> pairs_;
     std::vector<Frame_record> records_;
     std::vector<Pvd_entry> series_;
-    std::vector<double> volume_;  // of this frame, where they are asked for
+    std::vector<double> volume_;  // of this frame, with --voronoi
     std::vector<Index> neighbours_;
 };
 

@@ -51,7 +51,7 @@ int write_motion(const Generate_call& a, Format format) {
     Generated_motion<d> motion(generate<d>(*family_named(point_families, family ? a.from : a.kind),
                                            static_cast<std::size_t>(a.points), a.seed),
                                family.value_or(Motion_family::walk), a.pace, a.seed);
-    const Interruption_guard guard;  // before the file: what is not whole is taken away again
+    const Interruption_guard guard;  // before the file, which is removed if it is incomplete
     Text_output out(a.output);
     std::string text;
     Progress progress("generate", steps, a.quiet);
@@ -72,18 +72,18 @@ Format format_of_output(const Generate_call& a) {
     if (a.output == "-" && a.format.empty()) return Format::xyz;
     try {
         return format_of(a.output, frame_formats, a.format);
-    } catch (const Input_error& error) {  // it is no input
+    } catch (const Input_error& error) {  // the file is not an input here
         throw Error(Error_code::usage, error.what());
     }
 }
 
 int run(const Generate_call& a) {
-    if (!(a.pace >= 0 && a.pace <= 1000)) throw Error(Error_code::usage, "--pace is no number from 0 to 1000");
+    if (!(a.pace >= 0 && a.pace <= 1000)) throw Error(Error_code::usage, "--pace is not a number from 0 to 1000");
     const Format format = format_of_output(a);
     require_replaceable(a.output);
     std::error_code ignored;
     if (a.output != "-" && !a.force && std::filesystem::exists(std::filesystem::symlink_status(a.output, ignored)))
-        throw Error(Error_code::usage, a.output + " is there already; --force replaces it");
+        throw Error(Error_code::usage, a.output + " already exists; --force replaces it");
     return a.dimension == 2 ? write_motion<2>(a, format) : write_motion<3>(a, format);
 }
 
@@ -105,17 +105,17 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
         ->check(whole_number(1, 100'000'000));
     sub->add_option("--dim", a->dimension, "Dimension")->check(whole_number(2, 3))->capture_default_str();
     std::vector<CLI::Option*> of_motions;
-    of_motions.push_back(sub->add_option("--from", a->from, "What a motion begins with")
+    of_motions.push_back(sub->add_option("--from", a->from, "The initial points of a motion")
                              ->check(CLI::IsMember(words_of(point_families)))
                              ->capture_default_str());
-    of_motions.push_back(sub->add_option("--steps", a->steps, "Steps of a motion; it has one frame more")
+    of_motions.push_back(sub->add_option("--steps", a->steps, "Steps of a motion; it has one more frame")
                              ->type_name("N")
                              ->check(whole_number(0, 1'000'000'000))
                              ->capture_default_str());
     of_motions.push_back(
-        sub->add_option("--pace", a->pace, "How far points go at a step, in spacings of a grid of as many")
+        sub->add_option("--pace", a->pace, "How far points move in a step, in spacings of a grid of as many points")
             ->capture_default_str());
-    sub->add_option("-o,--output", a->output, "Write to this file; .gz packs it; -: standard output")
+    sub->add_option("-o,--output", a->output, "Write to this file; .gz compresses it; -: standard output")
         ->type_name("FILE")
         ->capture_default_str();
     add_format(*sub, a->format, frame_formats);

@@ -15,23 +15,24 @@
 
 namespace annulus::cli {
 
-/// How far the vertices go in a step.
+/// How far the vertices move in a step.
 struct Displacements {
     double mean = 0, max = 0;
 };
 
-/// One time step: who leaves, where the others go, by index, and who arrives then.
+/// One time step: the indices of the vertices that leave, the new positions of the others by index, and the points that
+/// arrive after that.
 template <int d>
 struct Time_step {
     std::vector<Index> leave{};
     std::vector<Coordinates<d>> x{}, arrive{};
     Displacements way{};
-    double seconds = 0;  ///< that the motion took
+    double seconds = 0;  ///< time that the motion took
 
     [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }
 };
 
-/// A motion that strategies follow: where its vertices begin, and its time steps.
+/// A motion that strategies follow: the initial positions of its vertices, and its time steps.
 template <class Moving_>
 class Guided_motion {
   public:
@@ -43,15 +44,15 @@ class Guided_motion {
     [[nodiscard]] virtual const std::vector<Coordinates<d>>& points() const = 0;
     /// The unit of lengths.
     [[nodiscard]] virtual double spacing() const = 0;
-    /// The next time step; false where there is none.
+    /// Computes the next time step; false if there is none.
     virtual bool next(Time_step<d>& t) = 0;
     [[nodiscard]] virtual bool at_end() { return false; }
-    /// Of one of the triangulations that follow it.
+    /// A picture of one of the triangulations that follow the motion.
     [[nodiscard]] virtual Picture picture(const Moving& dt, std::string caption) const = 0;
 };
 
-/// Lloyd iterations with a triangulation of their own, kept by certified tolerances and not timed, so that what
-/// follows them does not decide where they go.
+/// Lloyd iterations with their own triangulation, which is kept by certified tolerances and not timed, so that the
+/// motion does not depend on the triangulations that follow it.
 class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
   public:
     Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common);
@@ -60,7 +61,7 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
     [[nodiscard]] double spacing() const override { return scene_.spacing(); }
     bool next(Time_step<2>& t) override;
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
-    /// The triangulation of its own.
+    /// The triangulation that the motion itself uses.
     [[nodiscard]] const Moving& guide() const { return guide_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.input.warnings; }
     [[nodiscard]] const Input_record& input() const { return scene_.input; }
@@ -74,13 +75,14 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
     bool cells_changed_ = true;
 };
 
-/// A recorded motion, which needs no triangulation: who inserts gets the index that was freed last, or a new one.
+/// A recorded motion, which needs no triangulation. It assigns indices as a triangulation does: a point that arrives
+/// gets the index that was freed last, or a new one.
 template <class Moving>
 class Guided_replay final : public Guided_motion<Moving> {
   public:
     static constexpr int d = Moving::dimension_of_space;
 
-    /// The frames outlive it.
+    /// Precondition: the frames exist as long as this object.
     explicit Guided_replay(Replayed_frames<d>& frames);
     [[nodiscard]] const char* step_name() const override { return "step"; }
     [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return x_; }

@@ -11,7 +11,7 @@
 
 namespace annulus::cli {
 
-/// Natural ODT with a triangulation of its own, as Guided_lloyd.
+/// Natural ODT with its own triangulation, as Guided_lloyd.
 class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
   public:
     Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common);
@@ -22,7 +22,7 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
     [[nodiscard]] const Moving& guide() const { return guide_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return scene_.notes; }
-    /// Of its mesh where it is now; what rested did so in the last step.
+    /// The quality of its current mesh; `locked` counts the vertices that rested in the last step.
     [[nodiscard]] Mesh_step quality();
 
   private:
@@ -35,8 +35,8 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
     Mesh_3 mesh_;
     Nodt_memory memory_;
     Nodt_step last_;
-    std::size_t axis_ = 0;  // that pictures are cut across
-    bool read_ = true;      // mesh_ is where the guide is
+    std::size_t axis_ = 0;  // pictures are cut across this axis
+    bool read_ = true;      // mesh_ is up to date with guide_
     bool cells_changed_ = true;
 };
 

@@ -9,8 +9,8 @@ namespace annulus::cli {
 
 void add_open(CLI::App& app, bool& open) {
     app.add_flag("--open", open,
-                 "Take the points of a file with a periodic box as they stand, with open boundaries;\n"
-                 "without it such a file is refused");
+                 "Take the points of a file with a periodic box as they are, with open boundaries;\n"
+                 "without this option such a file is refused");
 }
 
 Input_record input_of(const Motion_reader& reader, int dimension) {

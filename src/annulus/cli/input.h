@@ -9,10 +9,10 @@
 
 namespace annulus::cli {
 
-/// --open: files that say that space is periodic are read all the same.
+/// --open: files with a periodic box are read nevertheless.
 void add_open(CLI::App& app, bool& open);
 
-/// What was made of a file, as far as it is read: for summaries, pages and standard output.
+/// How a file was interpreted, up to where it has been read: for summaries, pages and standard output.
 [[nodiscard]] Input_record input_of(const Motion_reader& reader, int dimension);
 template <int d>
 [[nodiscard]] Input_record input_of(const Point_file<d>& file) {
@@ -21,7 +21,7 @@ template <int d>
     return input;
 }
 
-/// The lines `dimension` and `columns` on standard output, where there is an input.
+/// Prints the lines `dimension` and `columns` on standard output, if there is an input.
 void print_input(const Input_record& input, int dimension);
 
 }  // namespace annulus::cli

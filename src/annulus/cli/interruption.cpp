@@ -7,13 +7,13 @@ namespace annulus::cli {
 
 namespace {
 
-// Another thread may take the signal.
+// Atomic, because another thread may receive the signal.
 std::atomic<int> noted{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use lock-free atomics only");
 
 extern "C" void annulus_note_signal(int signal) { noted.store(signal); }
 
-bool watched = false;  // by a guard
+bool watched = false;  // a guard exists
 
 }  // namespace
 

@@ -7,9 +7,9 @@
 
 namespace annulus::cli {
 
-/// While one of these lives, the first SIGHUP, SIGINT or SIGTERM is only noted; the same signal again ends the
-/// process at once: a program has to stop when it is told twice. Signals that were ignored (nohup) stay so. Inside of
-/// another one it does nothing.
+/// While an object of this class exists, the first SIGHUP, SIGINT or SIGTERM is only recorded; the same signal again
+/// ends the process at once, so that a user can always stop it. Signals that were ignored (nohup) stay ignored. A guard
+/// inside the scope of another one does nothing.
 class Interruption_guard {
   public:
     Interruption_guard() noexcept;
@@ -17,9 +17,9 @@ class Interruption_guard {
     Interruption_guard(const Interruption_guard&) = delete;
     Interruption_guard& operator=(const Interruption_guard&) = delete;
 
-    /// Has a signal come?
+    /// Whether a signal has arrived.
     [[nodiscard]] static bool interrupted() noexcept;
-    /// Ends the process by the signal that was noted, as without a handler; returns if there was none.
+    /// Ends the process with the recorded signal, as without a handler; returns if there was none.
     static void end_if_interrupted() noexcept;
 
   private:

@@ -41,7 +41,7 @@ int run(const Lloyd_call& a, const std::string& command) {
     Stars_2 stars;
     Lloyd_memory memory;
     std::vector<Coordinates<2>> target(scene.points.size());
-    std::optional<Interruption_guard> guard;  // what there is so far is worth files, if they are asked for
+    std::optional<Interruption_guard> guard;  // with --output, an interrupted run writes its results so far
     if (!a.common.output.empty()) guard.emplace();
     {
         Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
@@ -82,7 +82,7 @@ int run(const Lloyd_call& a, const std::string& command) {
 }  // namespace
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
-    auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in the plane, the triangulation kept right throughout");
+    auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in 2D, with the triangulation kept right throughout");
     const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
     add_tracking(*sub, a->tracking);

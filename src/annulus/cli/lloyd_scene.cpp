@@ -32,7 +32,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
     add_open(app, a.open);
     app.add_option("--density", a.density,
-                   "Density whose centroids points move to, or a picture, .png or .pgm, which\n"
+                   "Density of the centroids that points move to, or a picture, .png or .pgm, which\n"
                    "is stippled: dense where it is dark")
         ->type_name("FILE:{one,x2+y2,x2,sin2}")
         ->check([](const std::string& word) {
@@ -43,10 +43,10 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                        : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
         })
         ->capture_default_str();
-    app.add_flag("--invert", a.invert, "Of a picture: dense where it is bright");
+    app.add_flag("--invert", a.invert, "For a picture: dense where it is bright");
     app.add_option("--dots", a.dots,
-                   "Of a picture: discs of one radius in stipples.svg, or each as large as\n"
-                   "what is dark in its Voronoi cell")
+                   "For a picture: discs of equal radius in stipples.svg, or each as large as\n"
+                   "the dark area in its Voronoi cell")
         ->check(CLI::IsMember({"equal", "cells"}))
         ->capture_default_str();
     app.add_option("--domain", a.domain,
@@ -60,7 +60,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
             const double r = std::strtod(word.c_str(), &end);
             return end != word.c_str() && *end == '\0' && std::isfinite(r) && r > 0
                        ? std::string()
-                       : "'" + word + "' is no positive number";
+                       : "'" + word + "' is not a positive number";
         });
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
         ->check(whole_number(0, 1'000'000'000))
@@ -88,7 +88,7 @@ bool collinear(const std::vector<Coordinates<2>>& p) {
     });
 }
 
-/// The domain of points from a file when none is named: their convex hull, or a square around points on a line.
+/// The default domain of points from a file: their convex hull, or a square around them if they are on a line.
 Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     if (!collinear(p)) return Domain_2::convex_hull_of(p);
     Coordinates<2> low = p[0];
@@ -106,7 +106,8 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
     return Domain_2::polygon(square);
 }
 
-/// The moments of sin2 cost time in proportion to the area of the domain where its cells span rings.
+/// Throws Error(usage) for sin2 on a wide domain: the time for its moments is proportional to the area of the domain if
+/// cells span several rings.
 void require_rings_to_be_few(Density density, const Domain_2& domain) {
     const auto& box = domain.bounding_box();
     const double width = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
@@ -114,7 +115,7 @@ void require_rings_to_be_few(Density density, const Domain_2& domain) {
         throw Error(Error_code::usage, "--density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
 }
 
-/// The picture that --density names, if it is one.
+/// The picture, if --density names one.
 std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
     if (!is_gray_image(a.density)) {
         if (a.invert) throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png or FILE.pgm");

@@ -18,8 +18,8 @@ struct Lloyd_arguments {
     std::uint64_t points = 0;
     std::string input;
     bool ignore_z = false;
-    std::string format;  ///< of the input, where not as its extension says
-    bool open = false;   ///< its periodic box is ignored
+    std::string format;  ///< of the input, if not that of its extension
+    bool open = false;   ///< ignore the periodic box of the input
     std::string density = "one";
     bool invert = false;
     std::string dots = "equal";
@@ -35,21 +35,21 @@ struct Lloyd_scene {
     Domain_2 domain;
     Density_2 density;
     std::vector<Coordinates<2>> points;    ///< distinct, in the domain
-    std::uint64_t merged = 0;              ///< duplicates of the input that were merged
-    Input_record input{};                  ///< what was made of the input
-    std::optional<Stippling> stippling{};  ///< where the density is a picture
-    /// Mean spacing: the square root of area per point, the unit of length of the paper's figures.
+    std::uint64_t merged = 0;              ///< duplicate points of the input that were merged
+    Input_record input{};                  ///< how the input was interpreted
+    std::optional<Stippling> stippling{};  ///< if the density is a picture
+    /// Mean spacing: the square root of the area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
 };
 
 /// Throws Input_error or Error.
 [[nodiscard]] Lloyd_scene make_scene(const Lloyd_arguments& arguments, std::uint64_t seed);
 
-/// The picture's dots, where Lloyd iterations left them, as an SVG document. Throws as `make_scene`.
+/// The dots of the picture at the final positions of the points, as an SVG document. Throws as `make_scene`.
 [[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
                                       const Moving_mesh_2& dt);
 
-/// The stars of a triangulation, which costs what has changed.
+/// Reads the stars of a triangulation. The cost depends on what has changed since the last call.
 void read_stars(const Moving_mesh_2& dt, Stars_2& stars);
 
 }  // namespace annulus::cli

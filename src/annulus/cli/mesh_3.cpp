@@ -12,7 +12,7 @@ namespace annulus::cli {
 void Mesh_3::read(const Moving_mesh_3& dt) {
     Audit_input<3> in = dt.audit_input();
     points_ = std::move(in.points);
-    std::erase_if(in.cells, [](const auto& c) { return c[3] == none; });  // the simplices of a flat set
+    std::erase_if(in.cells, [](const auto& c) { return c[3] == none; });  // the cells of a flat set
     kept_.read(std::move(in.cells), points_.size());
     all_.assign(cells().size(), 1);
     domain_ = false;
@@ -28,7 +28,7 @@ void Mesh_3::read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& d
 
 namespace {
 
-/// Corners of the box of the points.
+/// The lower and upper corner of the bounding box.
 std::pair<Coordinates<3>, Coordinates<3>> box(const std::vector<Coordinates<3>>& points) {
     Coordinates<3> low{}, high{};
     if (!points.empty()) low = high = points[0];

@@ -38,7 +38,7 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     return text;
 }
 
-/// The cells of the domain alone, their dihedral angles, and what is on their surface.
+/// Adds to the page the cells of the domain, their dihedral angles, and the vertices on their surface.
 void add_domain(Run_page<Moving_mesh_3>& page, const Mesh_3& mesh, const Run_record& run) {
     page.cells = mesh.cells().vertex;
     std::vector<std::array<Index, 4>> inside;
@@ -88,7 +88,7 @@ int run(const Nodt_call& a, const std::string& command) {
             auto start = Clock::now();
             const Nodt_step step = nodt.step(mesh.kept(), mesh.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
-            // What the next step needs to know is the motion's time, what is measured is not counted.
+            // Reading the mesh for the next step is part of the motion's time; measuring its quality is not.
             start = Clock::now();
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
             tracker.add_motion(since(start));

@@ -19,7 +19,7 @@ namespace annulus::cli {
 
 namespace {
 
-/// What errors name.
+/// The name of the input in error messages.
 const std::string& source_of(const Nodt_arguments& a) {
     static const std::string sphere = "--sphere";
     return a.sphere ? sphere : a.mesh.empty() ? a.surface : a.mesh;
@@ -76,7 +76,7 @@ std::shared_ptr<const Feature_curves> features_of(const Nodt_arguments& a, const
     return features;
 }
 
-/// From a mesh of CGAL's.
+/// From an initial mesh by CGAL.
 Nodt_scene refined_scene(const Nodt_arguments& a, std::uint64_t seed) {
     std::vector<std::string> notes;
     std::unique_ptr<const Domain_3> domain;
@@ -90,7 +90,7 @@ Nodt_scene refined_scene(const Nodt_arguments& a, std::uint64_t seed) {
     }
     const Sizing_3 sizing = sizing_of(a, *domain);
     std::vector<Coordinates<3>> points = initial_mesh(*domain, sizing, a.vertices, seed, features.get());
-    if (features) features->recompute_tolerances(points, rounding_of(*domain));
+    if (features) features->snap(points, rounding_of(*domain));
     std::vector<char> on_surface = vertices_on_surface(*domain, points);
     return {std::move(domain), sizing, std::move(points), std::move(on_surface), std::move(features), std::move(notes)};
 }
@@ -104,7 +104,7 @@ Nodt_scene read_scene(const Nodt_arguments& a) {
         notes.push_back(counted(mesh.unused, "point") + " of the mesh without a tetrahedron left out.");
     if (mesh.turned) notes.push_back("All tetrahedra of the mesh were negative.");
     const Triangle_surface surface = mesh.surface();
-    auto domain = std::make_unique<Surface_3>(surface, true);  // read_tetrahedra has looked for crossings
+    auto domain = std::make_unique<Surface_3>(surface, true);  // read_tetrahedra has checked for crossings
     if (const auto cell = covered_twice(*domain, mesh.points, mesh.cells, mesh.boundary))
         throw Input_error(Error_code::bad_input, mesh.name, mesh.cell_lines[*cell],
                           "a tetrahedron lies within another part of the mesh", "parts that do not overlap");

@@ -31,19 +31,19 @@ struct Nodt_arguments {
 
 void add_nodt(CLI::App& app, Nodt_arguments& arguments);
 
-/// Domain, sizing and first vertices of an optimisation, checked.
+/// Domain, sizing and initial vertices of an optimisation, checked.
 struct Nodt_scene {
     std::unique_ptr<const Domain_3> domain;
     Sizing_3 sizing;
     std::vector<Coordinates<3>> points;
     std::vector<char> on_surface;                    ///< by vertex
     std::shared_ptr<const Feature_curves> features;  ///< sharp edges, if they are kept
-    std::vector<std::string> notes;                  ///< what a reader of the results should know about the input
-    /// Mean spacing: the cube root of volume per vertex, the unit of length of the paper's figures.
+    std::vector<std::string> notes;                  ///< remarks on the input for the pages
+    /// Mean spacing: the cube root of the volume per vertex, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
-    /// Throws Input_error where no cell is of the domain: nothing would ever move.
+    /// Throws Input_error if no cell is in the domain: then nothing would ever move.
     void require_cells(const Nodt_arguments& arguments, std::span<const char> inside) const;
-    /// The motion that starts here. Refers to this scene.
+    /// The motion that starts from this scene. It refers to the scene.
     [[nodiscard]] Nodt_3 motion(const Nodt_arguments& arguments, int threads) const;
 };
 

@@ -5,7 +5,7 @@
 
 namespace annulus::cli {
 
-/// What `degeneracy` says on standard output: of one set of points, or of frames, a head and a line each.
+/// Prints the output of `degeneracy` on standard output: for one set of points, or for frames a head and one line each.
 void print_degeneracy(const Degeneracy_record& record);
 void print_degeneracy_head(const Degeneracy_series& series);
 void print_degeneracy(const Degeneracy_row& row);

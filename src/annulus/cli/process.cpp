@@ -19,7 +19,7 @@ namespace annulus::cli {
 
 namespace {
 
-// GMP allocates in C functions that have unwind tables, and before it changes a number: what is lost is scratch memory.
+// GMP allocates in C functions that have unwind tables, and before it changes a number: only scratch memory leaks.
 void* allocate(std::size_t size) {
     if (void* p = std::malloc(size)) return p;
     throw std::bad_alloc();
@@ -30,7 +30,8 @@ void* reallocate(void* old, std::size_t, std::size_t size) {
 }
 void release(void* p, std::size_t) { std::free(p); }
 
-/// An exception that cannot be caught: it left a destructor or a function that promised none.
+/// The terminate handler: reports an exception that cannot be caught, because it left a destructor or a noexcept
+/// function.
 [[noreturn]] void last_words() {
     const char* what = "an internal error";
     try {

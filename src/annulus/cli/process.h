@@ -3,12 +3,12 @@
 
 namespace annulus::cli {
 
-/// What the process sees to before anything else: standard streams that were closed are opened on nothing, so that no
-/// file takes their place; a file that grows too large is an error and no signal; where memory ends GMP throws
-/// std::bad_alloc in place of ending the process; and what is not caught is one line and exit status 4.
+/// To be called first. Opens closed standard streams on /dev/null, so that no file gets their descriptors. Makes a file
+/// that grows too large an error instead of a signal. Makes GMP throw std::bad_alloc if memory runs out, instead of
+/// ending the process. Turns an uncaught exception into one line and exit status 4.
 void prepare_process();
 
-/// Writes out what is left of standard output. Throws std::runtime_error when not all of it arrived.
+/// Flushes standard output. Throws std::runtime_error if not all of it could be written.
 void finish_output();
 
 }  // namespace annulus::cli

@@ -23,7 +23,7 @@ bool draws_here() {
     return isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-/// What the terminal says of itself, else the environment, else what terminals have always had.
+/// The width that the terminal reports; if unknown, that of the environment, or 80.
 std::size_t columns_of_terminal() {
     winsize size{};
     if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
@@ -81,7 +81,7 @@ void Progress::show(std::uint64_t step, const std::string& news, std::optional<d
     const Progress_line line{label_,
                              steps_ > 0 ? std::to_string(step) + "/" + std::to_string(steps_) : counted(step, "step"),
                              rate, news, share};
-    // The last column is left free: a terminal that is full to there may go to the next line.
+    // The last column stays empty: a terminal may wrap after it.
     std::fprintf(stderr, "\r\033[K%s", line.in(columns_of_terminal() - 1).c_str());
     std::fflush(stderr);
 }

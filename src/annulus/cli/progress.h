@@ -9,16 +9,16 @@
 
 namespace annulus::cli {
 
-/// A bar on standard error with steps per second and a word of news, drawn at most ten times a second. Only on a
-/// terminal that is not dumb, and never wider than it is at that moment.
+/// A progress bar on standard error with steps per second and short news, drawn at most ten times a second. It is shown
+/// only on a terminal that is not dumb, and is never wider than the terminal.
 class Progress {
   public:
-    /// `steps` is 0 where the number of steps is unknown.
+    /// `steps` is 0 if the number of steps is unknown.
     Progress(std::string label, std::uint64_t steps, bool quiet);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    /// The bar is `share` long where that is given, else as many of the steps as are done.
+    /// The length of the bar is `share` if that is given, otherwise the fraction of the steps that are done.
     void show(std::uint64_t step, const std::string& news, std::optional<double> share = std::nullopt);
 
   private:
@@ -30,8 +30,8 @@ class Progress {
     Clock::time_point drawn_{};
 };
 
-/// What a progress line says, of which `columns` columns are shown: all of it with a bar, as long as there is room,
-/// without one, or the beginning. Every byte is one printable character of one column, whatever the words were.
+/// The text of a progress line. `in(columns)` fits it into that many columns: all of it with a bar if there is room,
+/// all of it without a bar, or its beginning. Every byte of the result is one printable character of one column.
 struct Progress_line {
     std::string label, steps, rate, news;
     std::optional<double> share;

@@ -27,7 +27,7 @@ struct Replay_call {
     Frame_arguments frames;
 };
 
-/// The solid cells in one order, whatever the history of the triangulation.
+/// The solid cells in an order that does not depend on the history of the triangulation.
 std::vector<std::array<Index, 3>> ordered_cells(const Moving_mesh_2&) { return {}; }
 std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
     Mesh_3 mesh;
@@ -35,7 +35,7 @@ std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
     return mesh.cells().vertex;
 }
 
-/// How many points came and went, and how many others stood for.
+/// How many points appeared, disappeared, and were merged with others.
 struct Traffic {
     std::uint64_t arrived = 0, left = 0, merged = 0;
 
@@ -46,7 +46,7 @@ struct Traffic {
     }
 };
 
-/// A triangulation on its way from frame to frame, and what is written of each.
+/// A triangulation that moves from frame to frame, and the data that is written for each frame.
 template <class Moving>
 class Replay {
   public:
@@ -143,7 +143,7 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
             progress.show(tracker.record().iterations, news, motion.reader.share_read());
         }
     } catch (const Input_error& error) {
-        // An interrupt on a terminal ends the pipe, too: its other end has had the same signal.
+        // An interrupt from a terminal also ends a pipe, because the program at its other end gets the same signal.
         if (!files || (tracker.record().iterations == 0 && !Interruption_guard::interrupted())) throw;
         fault = error;
     }
@@ -169,7 +169,7 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
 
 int run(const Replay_call& a, const std::string& command) {
     const auto begin = Clock::now();
-    Options options = options_of(a.tracking, a.common);  // wrong usage is told before a file is opened
+    Options options = options_of(a.tracking, a.common);  // reports wrong usage before a file is opened
     prepare(a.frames, a.common, options);
     Opened_motion motion = open_motion(a.replay);
     return motion.dimension == 2 ? replay<Moving_mesh_2>(a, options, command, motion, begin)

@@ -21,19 +21,18 @@ Motion_options Replay_arguments::motion() const {
 void add_replay(CLI::App& app, Replay_arguments& a) {
     app.add_option("FILE", a.file,
                    "Frames: .xyz (extended XYZ), .lammpstrj (LAMMPS dump) or .csv with columns frame, id, x, y [, z];\n"
-                   ".gz after it unpacks; - is standard input")
+                   "each may be compressed, .gz; - is standard input")
         ->required();
     add_format(app, a.format, frame_formats);
-    app.add_option("--dim", a.dimension, "Dimension; 2 drops z. Without it, 3 where z is not the same everywhere")
+    app.add_option("--dim", a.dimension, "Dimension; 2 drops z. Without it, 3 if z is not the same everywhere")
         ->check(whole_number(2, 3));
     app.add_option("--coincident", a.coincident,
-                   "Points of a frame at one place: refuse them, or merge: the one with the least id stands for all")
+                   "Duplicate points in a frame: refuse them, or merge: the one with the least id represents all")
         ->check(CLI::IsMember({"refuse", "merge"}))
         ->capture_default_str();
-    app.add_option(
-           "--absent-frames", a.absent,
-           "Gaps in the numbers of a .csv file's frames: refuse them, empty: all points disappear for one step\n"
-           "and appear again, or skip: one step leads over the gap")
+    app.add_option("--absent-frames", a.absent,
+                   "Gaps in the frame numbers of a .csv file: refuse them, empty: all points disappear for one step\n"
+                   "and appear again, or skip: one step spans the gap")
         ->check(CLI::IsMember({"refuse", "empty", "skip"}))
         ->capture_default_str();
     add_open(app, a.open);
@@ -41,7 +40,7 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
 
 namespace {
 
-/// Of the plane where z is the same everywhere; where the file cannot be read twice, in its first frame with points.
+/// 2 if z is the same everywhere; if the file cannot be read twice, in its first frame with points.
 int dimension_of(const Replay_arguments& a, const Opened_motion& motion) {
     if (!motion.reader.has_z()) return 2;
     std::error_code ignored;
@@ -88,7 +87,7 @@ Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_argument
     require_flat();
 }
 
-/// What cannot be read twice was taken for a motion of the plane by its first points.
+/// Checks the z of later frames of a file that was taken for a 2D motion because of its first frame.
 template <int d>
 void Replayed_frames<d>::require_flat() const {
     for (std::size_t i = 0; z_ && i < frame_.position.size(); ++i)

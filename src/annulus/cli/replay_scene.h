@@ -16,11 +16,11 @@ namespace annulus::cli {
 /// The arguments that say which recorded motion to follow.
 struct Replay_arguments {
     std::string file;
-    int dimension = 0;  ///< 0: what the file has
+    int dimension = 0;  ///< 0: that of the file
     std::string coincident = "refuse";
     std::string absent = "refuse";
-    std::string format;  ///< where not as the extension says
-    bool open = false;   ///< a periodic box is ignored
+    std::string format;  ///< if not that of the extension
+    bool open = false;   ///< ignore a periodic box
 
     [[nodiscard]] Coincident on_coincident() const {
         return coincident == "merge" ? Coincident::merge : Coincident::refuse;
@@ -30,15 +30,15 @@ struct Replay_arguments {
 
 void add_replay(CLI::App& app, Replay_arguments& arguments);
 
-/// A motion whose first frames, up to one with points, have been read to learn what they are.
+/// A motion whose first frames, up to one with points, have been read to find its dimension.
 struct Opened_motion {
     Motion_reader reader;
     std::vector<std::uint64_t> empty{};  ///< numbers of the frames without points that come first
     Frame first{};
     int dimension = 2;
-    std::string why{};  ///< where points have a z and the motion is one of the plane: "--dim 2 drops z"
+    std::string why{};  ///< why points with a z are a 2D motion: "--dim 2 drops z"
 
-    /// What was made of the file, as far as it is read.
+    /// How the file was interpreted, up to where it has been read.
     [[nodiscard]] Input_record input() const;
 };
 /// Throws Input_error.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's figures and claims, from runs made here.
+// The figures and claims of the paper, reproduced by runs on this machine.
 #include <annulus/arithmetic/error.h>
 #include <annulus/cli/arguments.h>
 #include <annulus/cli/commands.h>
@@ -35,7 +35,7 @@ struct Reproduce_call {
     std::string surfaces;
 };
 
-/// What the paper's bodies are read from, in a directory that tools/meshes fills.
+/// The files with the bodies of the paper, in a directory that tools/meshes fills.
 constexpr const char* surface_files[] = {"man.off", "bunny00.off", "liver.inr.gz"};
 
 std::string machine() {
@@ -47,7 +47,7 @@ std::string machine() {
     return processor_name() + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
 }
 
-/// CRC-32 of all of them.
+/// The CRC-32 of all surface files.
 std::string fingerprint(const std::string& surfaces) {
     uLong sum = ::crc32_z(0, nullptr, 0);
     for (const char* file : surface_files) {
@@ -62,7 +62,7 @@ std::string fingerprint(const std::string& surfaces) {
     return digits;
 }
 
-/// All that results depend on, but for the machine.
+/// Everything that the results depend on, except the machine.
 std::string description(const Reproduce_call& a) {
     std::string only;
     for (const std::string& topic : a.size.only) only += (only.empty() ? "" : ",") + topic;
@@ -77,7 +77,7 @@ Benchmark_record run_part(const Part_plan& part, const Reproduce_call& a, Progre
         return !Interruption_guard::interrupted();
     };
     Common_arguments common = a.common;
-    common.quiet = true;  // notes are on the pages
+    common.quiet = true;  // the pages have the notes
     common.seed += part.motion.draw;
     if (part.motion.dimension == 2) return benchmark<2>(*plane_scene(part.motion, common), part.benchmark, listener);
     return benchmark<3>(*space_scene(part.motion, a.surfaces, common), part.benchmark, listener);
@@ -146,7 +146,7 @@ Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
                     "the sphere is the only body")
         ->type_name("DIR");
     sub->add_option("-i,--iterations", a->size.iterations,
-                    "Iterations of every motion (1000; of a quick one 100 in the plane, 60 in space)")
+                    "Iterations of every motion (1000; with --quick 100 in 2D, 60 in 3D)")
         ->type_name("N")
         ->check(whole_number(1, 100'000));
     add_common(*sub, a->common, "index.html, a page for each figure, tables and reproduction.json",

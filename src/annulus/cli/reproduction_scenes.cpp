@@ -10,7 +10,7 @@ namespace annulus::cli {
 
 namespace {
 
-/// One of the motions that `compare` has strategies follow.
+/// A scene from one of the motions of `compare`.
 template <class Guided>
 class Guided_scene : public Scene<Guided::Moving::dimension_of_space> {
   public:

@@ -9,7 +9,7 @@
 
 namespace annulus::cli {
 
-/// The motions of a reproduction: the tool's Lloyd iterations and natural ODT, and points of which some move.
+/// The motions of a reproduction: Lloyd iterations and natural ODT as in the tool, and points of which only some move.
 /// `surfaces` is the directory with the bodies.
 [[nodiscard]] std::unique_ptr<Scene<2>> plane_scene(const Motion_plan& motion, const Common_arguments& common);
 [[nodiscard]] std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::string& surfaces,

@@ -12,7 +12,7 @@ namespace annulus::cli {
 
 namespace {
 
-/// These tell what a directory holds. Each states its command.
+/// The main result files, by which a directory of results is recognised. Each contains its command.
 constexpr std::array<std::string_view, 7> heads{"summary.json",    "compare.json",        "audit.json",
                                                 "degeneracy.json", "counterexample.json", "reproduction.json",
                                                 "sums.json"};
@@ -31,13 +31,13 @@ bool is_one_of(const std::array<std::string_view, n>& names, std::string_view na
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Has annulus written to this directory? A summary.json of something else does not say so.
+/// Whether annulus has written results to this directory. A summary.json of another program does not count.
 bool holds_results(const std::filesystem::path& directory) {
     const Directory_lock reading(directory,
-                                 Directory_lock::Access::reading);  // another run may be putting its files there
+                                 Directory_lock::Access::reading);  // another run may be moving its files there
     return std::any_of(heads.begin(), heads.end(), [&](std::string_view name) {
         std::error_code ignored;
-        if (!std::filesystem::is_regular_file(directory / name, ignored)) return false;  // a pipe would wait for ever
+        if (!std::filesystem::is_regular_file(directory / name, ignored)) return false;  // a pipe could block for ever
         std::string begin(4096, '\0');
         std::ifstream file(directory / name, std::ios::binary);
         file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
@@ -51,7 +51,7 @@ std::string directory_of(const Common_arguments& a, bool interrupted) {
 
 }  // namespace
 
-/// A page of `reproduce` or a table beside it: figure-7.html, figure-7a.csv.
+/// Whether a file is a page of `reproduce` or one of its tables: figure-7.html, figure-7a.csv.
 bool is_of_reproduction(std::string_view name) {
     const bool known = name == "index.html" || name == "claims.csv" || name.starts_with("unsound.") ||
                        name.starts_with("figure-") || name.starts_with("slivers.") || name.starts_with("locked.") ||

@@ -32,15 +32,15 @@ using Json = nlohmann::ordered_json;
 struct Sweep_call {
     Common_arguments common;
     std::string file;
-    double memory = 0;  // GiB; 0: what the machine has to spare
+    double memory = 0;  // GiB; 0: four fifths of the available memory
     bool check = false;
 };
 
-/// A specification as all processes are told of it.
+/// A specification in the form that is sent to all processes.
 struct Spec_text {
     std::string name, directory, text;
 
-    /// None of them has a byte 0, and names need not be UTF-8.
+    /// Separated by bytes 0, which none of the parts contains; names need not be UTF-8.
     [[nodiscard]] std::string packed(std::uint32_t identity) const {
         return std::to_string(identity) + '\0' + name + '\0' + directory + '\0' + text;
     }
@@ -68,14 +68,14 @@ Spec_text load(const std::string& file) {
     return {source.name, file == "-" ? "" : fs::path(file).parent_path().string(), source.content};
 }
 
-/// Of the memory that one machine has to spare a fifth is left to others.
+/// The memory for experiments: that of --memory, or four fifths of the available memory of the machine.
 std::uint64_t bytes_of(const Sweep_call& a) {
     if (a.memory > 0) return static_cast<std::uint64_t>(a.memory * 1024 * 1024 * 1024);
     const std::uint64_t available = available_memory();
     return available == 0 ? std::uint64_t{4} << 30 : available / 5 * 4;
 }
 
-/// What may be in a directory whose journal is continued: all that depends on anything but the trials.
+/// The head of a journal. A journal can be continued only if its head is the same.
 std::string head_of(const Spec& spec) {
     return Json{{"journal", "annulus sweep"},
                 {"version", ANNULUS_VERSION},
@@ -84,19 +84,19 @@ std::string head_of(const Spec& spec) {
         .dump();
 }
 
-/// Does the directory have the results of this sweep?
+/// Whether the directory has the results of this sweep.
 bool is_done(const fs::path& directory, const Spec& spec) {
     std::error_code code;
     if (fs::exists(directory / journal_name, code)) return false;
     for (const std::string_view name : sweep_results)
-        if (!fs::is_regular_file(directory / name, code)) return false;  // a pipe would wait for ever
+        if (!fs::is_regular_file(directory / name, code)) return false;  // a pipe could block for ever
     std::ifstream file(directory / "sums.json", std::ios::binary);
     const Json json = Json::parse(file, nullptr, false);
     const auto has = [&json](const char* key, const Json& value) { return json.contains(key) && json[key] == value; };
     return has("command", "annulus sweep") && has("version", ANNULUS_VERSION) && has("identity", spec.identity);
 }
 
-/// The output directory while its journal grows. Where nothing came of it, it goes.
+/// The output directory while its journal grows. It is removed if the journal stays empty.
 class Journal_place {
   public:
     Journal_place(const Sweep_call& a, const Spec& spec) : path_(a.common.output) {
@@ -121,7 +121,7 @@ class Journal_place {
     [[nodiscard]] Journal& journal() { return *journal_; }
 
   private:
-    /// With the parents that are missing.
+    /// Creates a directory and its missing parents.
     void make(const fs::path& path) {
         std::error_code code;
         if (fs::exists(path, code) || path == path.parent_path()) return;
@@ -138,7 +138,7 @@ class Journal_place {
     std::unique_ptr<Journal> journal_;
 };
 
-/// At once, whatever the threads are at: what is done is in the journal.
+/// Ends the process at once, although threads are computing: finished trials are in the journal.
 void stop_if_interrupted(const Coordinator& c, const Sweep_call& a) {
     if (!Interruption_guard::interrupted()) return;
     std::fprintf(stderr, "annulus: interrupted: %zu of %s kept in %s, and the same command goes on from there\n",
@@ -156,7 +156,7 @@ void compute(const Sweep_call& a, const Spec& spec, Coordinator& c, Ranks& ranks
     };
     const Workers workers(
         a.common.threads, spec,
-        [&]() -> std::optional<Schedule::Job> {  // after a signal nothing begins
+        [&]() -> std::optional<Schedule::Job> {  // after a signal no job begins
             if (Interruption_guard::interrupted()) return std::nullopt;
             return c.wait_for_job(ranks.machine());
         },
@@ -182,7 +182,7 @@ int run_first(const Sweep_call& a, Ranks& ranks) {
     if (a.common.output.empty()) throw Error(Error_code::usage, "sweep needs --output DIR (or --check)");
     if (!a.common.force && is_done(a.common.output, spec)) {
         if (!a.common.quiet)
-            std::printf("%s has these results already; --force computes them anew\n", a.common.output.c_str());
+            std::printf("%s has these results already; --force computes them again\n", a.common.output.c_str());
         return done;
     }
     Journal_place place(a, spec);
@@ -232,16 +232,16 @@ Run add_sweep_command(CLI::App& app, const Invocation&) {
     auto* sub = app.add_subcommand("sweep", sweep_summary);
     const auto a = std::make_shared<Sweep_call>();
     sub->add_option("SPEC", a->file, "What to study: grids of experiments, in TOML (docs/formats.md)")->required();
-    sub->add_flag("--check", a->check, "Read SPEC, say how many trials there are, and stop");
+    sub->add_flag("--check", a->check, "Read SPEC, print the number of trials, and stop");
     sub->add_option("--memory", a->memory,
-                    "Run so many experiments at a time as this holds, on each machine; default:\nfour fifths of what "
-                    "is to spare")
+                    "Memory for the experiments that run at the same time on each machine; default:\nfour fifths of "
+                    "the available memory")
         ->type_name("GIB")
         ->check(number_within(0.001, 100000.0));
     add_common(*sub, a->common, "results.jsonl, sums.json, hard.jsonl, costs.jsonl and sweep.html");
-    sub->get_option("--seed")->description("Taken everywhere; the seed of a sweep is in SPEC");
+    sub->get_option("--seed")->description("Accepted by all subcommands; the seed of a sweep is in SPEC");
     sub->get_option("--threads")->description("Threads of each process; results do not depend on it");
-    sub->get_option("--force")->description("Begin anew, whatever the directory holds; other files than results stay");
+    sub->get_option("--force")->description("Start again, whatever the directory holds; files other than results stay");
     return [a] {
         Ranks ranks;
         return ranks.first() ? run_first(*a, ranks) : run_other(*a, ranks);

@@ -17,7 +17,7 @@ namespace annulus::cli {
 
 namespace {
 
-/// One line, whatever the message.
+/// Prints a message as one line on standard error, and returns the status.
 int complain(std::string message, int status) {
     std::replace(message.begin(), message.end(), '\n', ' ');
     std::fprintf(stderr, "annulus: %s\n", message.c_str());
@@ -40,7 +40,7 @@ int status_of(Error_code code) {
     return our_fault;
 }
 
-/// Runs what throws; every exception is one line on standard error and a status.
+/// Runs a function that may throw. Every exception becomes one line on standard error and an exit status.
 template <class Call>
 int guarded(const Call& call) {
     try {
@@ -51,7 +51,7 @@ int guarded(const Call& call) {
         return complain(e.what(), status_of(e.code()));
     } catch (const std::bad_alloc&) {
         return complain("out of memory", our_fault);
-    } catch (const std::length_error&) {  // more than any memory has
+    } catch (const std::length_error&) {  // larger than any memory
         return complain("out of memory", our_fault);
     } catch (const std::exception& e) {
         return complain(e.what(), our_fault);

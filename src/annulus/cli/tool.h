@@ -13,8 +13,8 @@ struct Subcommand {
     Run (*add)(CLI::App& app, const Invocation& invocation);
 };
 
-/// The main function of `annulus` and of the programs that it starts: parses the command line, runs the subcommand
-/// that it names, and returns the exit status. Every exception is one line on standard error.
+/// The main function of `annulus` and of the programs that it starts: parses the command line, runs its subcommand, and
+/// returns the exit status. Every exception becomes one line on standard error.
 int run_tool(int argc, char** argv, std::span<const Subcommand> subcommands);
 
 }  // namespace annulus::cli

@@ -58,7 +58,7 @@ bool Tracker<Moving>::measured_at(std::uint64_t i) const {
     return mark(i) != mark(i - 1);
 }
 
-/// What changed is for the listener, and is not summed up.
+/// Passes the report to the listener, and clears its lists of cells, which are not added up.
 template <class Moving>
 void Tracker<Moving>::hear(Move_report& report, Index arrived) {
     if (listener_) listener_(report, arrived);
@@ -89,7 +89,7 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         const Index arrived = change(one);
         seconds += since(start);
         hear(one, arrived);
-        if (!counts) one.moves = {};  // what happened to the moves asked for is counted, no more
+        if (!counts) one.moves = {};  // only the moves of move_all are counted
         report += one;
         return arrived;
     };
@@ -151,7 +151,7 @@ void Tracker<Moving>::audit() {
 template <class Moving>
 void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, double total_seconds) {
     if (record_.iterations == 0 && audit_every_ > 0) audit();
-    record_.vertices = dt_.number_of_vertices();  // as the files have them; a replay may have begun with others
+    record_.vertices = dt_.number_of_vertices();  // as in the files; a replay may have started with another number
     record_.command = command;
     record_.interrupted = record_.iterations < iterations_;
     record_.seed = seed;
@@ -174,7 +174,7 @@ std::vector<std::array<Index, static_cast<std::size_t>(Tracker<Moving>::d) + 1>>
     auto cells = dt_.audit_input().cells;
     for (auto& c : cells)
         if constexpr (d == 3) {
-            std::sort(c.begin(), c.end());  // the audit has seen to the orientation
+            std::sort(c.begin(), c.end());  // the audit has checked the orientation
         } else if (c[2] == none) {
             if (c[0] > c[1]) std::swap(c[0], c[1]);
         } else {

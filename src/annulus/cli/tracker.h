@@ -13,15 +13,15 @@
 
 namespace annulus::cli {
 
-/// Did what is reported change the cells of the triangulation?
+/// Whether the reported call changed the cells of the triangulation.
 [[nodiscard]] inline bool changes_cells(const Move_report& r) {
     return r.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
 }
 
-/// Of a motion whose end is not known when it begins.
+/// The number of iterations of a motion whose end is not known at its beginning.
 inline constexpr std::uint64_t unknown_iterations = std::numeric_limits<std::uint64_t>::max();
 
-/// One strategy following a motion: its triangulation (a Moving_mesh), what it did, and what was measured on the way.
+/// One strategy that follows a motion: its triangulation (a Moving_mesh), what it did, and the measurements.
 template <class Moving>
 class Tracker {
   public:
@@ -32,33 +32,33 @@ class Tracker {
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
 
-    /// How many iterations there are, where that was unknown: told before the last one.
+    /// Sets the number of iterations if it was unknown. To be called before the last one.
     void ends_after(std::uint64_t iterations) { iterations_ = iterations; }
-    /// From now on only the last step is kept: memory then does not depend on how many there are.
+    /// From now on only the last step is kept, so that memory does not depend on the number of steps.
     void forget_steps() { keeps_steps_ = false; }
 
-    /// What was made of the file that the points are from.
+    /// Sets how the file with the points was interpreted.
     void input(Input_record input) { record_.input = std::move(input); }
 
-    /// Told what each call of the triangulation reports, and which vertex it inserted, or `none`.
+    /// Called with the report of each call of the triangulation, and with the vertex that it inserted, or `none`.
     using Listener = std::function<void(const Move_report& report, Index arrived)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 
-    /// Follows one time step. Motion seconds and displacement are what the motion says of itself.
+    /// Follows one time step. The motion measures its seconds and displacements itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
               double displacement_max);
-    /// Follows one time step in which some vertices leave, the others move to x (by index), and then some arrive:
-    /// removals, one move_all, insertions. Returns the indices of those that arrived. Throws what the triangulation
-    /// throws.
+    /// Follows one time step in which some vertices leave, then the others move to x (by index), then some arrive:
+    /// removals, one move_all, insertions. Returns the indices of the vertices that arrived. Throws what the
+    /// triangulation throws.
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                               std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);
-    /// What the mesh was before the first step, and is after the last one.
+    /// Set the quality of the mesh before the first step, and after the last step.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
     void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
-    /// Adds to the motion's time of the last step.
+    /// Adds to the time of the motion in the last step.
     void add_motion(double seconds);
-    /// Fills in what is known only at the end.
+    /// Completes the record at the end of the run.
     void finish(const std::string& command, std::uint64_t seed, double total_seconds);
 
     [[nodiscard]] const Moving& triangulation() const { return dt_; }
@@ -68,9 +68,9 @@ class Tracker {
     [[nodiscard]] const Move_report& totals() const { return totals_; }
     /// Share of all moves so far that were within tolerance.
     [[nodiscard]] double share_within() const;
-    /// Did the last step change cells?
+    /// Whether the last step changed cells.
     [[nodiscard]] bool cells_changed() const { return cells_changed_; }
-    /// Cells in one order of their vertices, sorted: equal for equal triangulations.
+    /// The cells in a canonical order, each with its vertices in a canonical order: equal for equal triangulations.
     [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> canonical_cells() const;
 
   private:

@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// What a step may cost and has cost, in cells looked at (cost_model.h). It is handed down to what spends; nothing that
-/// is spent has a say in what is right.
+/// What a step may cost and has cost so far, in cells tested (cost_model.h). It is passed down to the functions that
+/// spend it. It decides when to give up; correctness never depends on it.
 struct Budget {
     double limit = std::numeric_limits<double>::infinity();
     double spent = 0.0;

@@ -10,7 +10,7 @@ namespace annulus {
 
 namespace {
 
-/// A cell, and before it what cells have in common that are the same: their sites, sorted, and their orientation.
+/// A cell, preceded by its key: equal cells have the same sorted sites and the same orientation.
 template <class Cell>
 struct Keyed {
     Cell sites;
@@ -35,7 +35,7 @@ Sorted<Cell> sorted(const std::vector<Cell>& cells) {
     return out;
 }
 
-/// Those of `cells` that `others` lacks, corner by corner; all of them where `everything` is asked for.
+/// The cells that `others` lacks, corner by corner; all cells if `everything`.
 template <class Cell>
 std::vector<Index> without(const Sorted<Cell>& cells, const Sorted<Cell>& others, bool everything) {
     std::vector<Index> out;

@@ -10,19 +10,20 @@
 
 namespace annulus {
 
-/// The cells that come and go while it lives. The table writes down what it changes (Change_log); cells of lower
-/// dimension are listed before and after.
+/// Lists the cells that come and go during its lifetime. The table records what it changes (Change_log); cells of
+/// lower dimension are listed before and after.
 template <int d>
 class Cell_changes {
   public:
-    /// Both outlive it; x are the positions. O(1), but O(n log n) where all of them lie in a hyperplane.
+    /// The mesh and the log must outlive it; x are the positions. O(1), but O(n log n) where all positions lie in a
+    /// hyperplane.
     Cell_changes(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x, Change_log<d>& log);
     ~Cell_changes() { mesh_.table().set_observer(nullptr); }
     Cell_changes(const Cell_changes&) = delete;
     Cell_changes& operator=(const Cell_changes&) = delete;
 
-    /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written to,
-    /// or all n.
+    /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written, or
+    /// for all n.
     void list(std::span<const Coordinates<d>> x, Move_report& report);
 
   private:
@@ -31,8 +32,8 @@ class Cell_changes {
 
     Delaunay_mesh<d>& mesh_;
     Change_log<d>& change_log_;
-    bool watched_;               ///< the table is: there are cells of dimension d
-    std::vector<Sites> before_;  ///< all cells, where it is not
+    bool watched_;               ///< whether the table is observed: there are cells of dimension d
+    std::vector<Sites> before_;  ///< all cells, where it is not observed
 };
 
 extern template class Cell_changes<2>;

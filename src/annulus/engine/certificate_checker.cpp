@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificate_checker: what is pending. Values are in certificate_checker_evaluate.cpp.
+// Certificate_checker: the list of pending certificates. Their values: certificate_checker_evaluate.cpp.
 #include <annulus/engine/certificate_checker.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void Certificate_checker<d>::assign_places() {
     for (std::size_t i = 0; i < cells_.size(); ++i) enter(cells_[i], cells_[i].id, cell_place(i));
 }
 
-/// Puts an entry on the list of its cell.
+/// Links an entry into the list of its cell.
 template <int d>
 template <class S>
 void Certificate_checker<d>::enter(S& s, Cell_index cell, Place place) {
@@ -42,7 +42,7 @@ void Certificate_checker<d>::enter(S& s, Cell_index cell, Place place) {
     entries_of_[cell] = place;
 }
 
-/// Where facet f is, or is put.
+/// The entry of facet f; created if there is none.
 template <int d>
 auto Certificate_checker<d>::entry(Corner_index f) -> Pending_facet& {
     assign_places();

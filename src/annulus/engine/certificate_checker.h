@@ -12,48 +12,50 @@ namespace annulus {
 
 /// Certificates that are not known to hold at given positions, and the values of those that have been evaluated.
 ///
-/// A caller names them (`add_*`), each as often as it likes; `evaluate` gives those that are stale their values, in
-/// one batch. An entry whose facet or cell a repair has taken away stays in the list, and does not exist.
+/// A caller adds them (`add_*`), each as often as it likes; `evaluate` computes the values of the stale ones in one
+/// batch. An entry whose facet or cell a repair has removed stays in the list, but does not exist.
 template <int d>
 class Certificate_checker {
   public:
     template <class Id, class Points>
     struct Pending {
         Id id;
-        std::uint32_t next = 0;  ///< of the same cell
+        std::uint32_t next = 0;  ///< the next entry of the same cell
         Points point{};          ///< its points, in the order of the determinant
-        Facet_kind kind{};       ///< of a facet; a cell has `nothing` when it is infinite, else `empty_sphere`
-        bool stale = true;       ///< value not computed for its present points
+        Facet_kind kind{};       ///< of a facet; for a cell `nothing` when it is infinite, else `empty_sphere`
+        bool stale = true;       ///< the value is not computed for its present points
         Certificate_value value;
     };
     using Pending_facet = Pending<Corner_index, Facet_sites<d>>;
     using Pending_cell = Pending<Cell_index, Cell_sites<d>>;
 
     explicit Certificate_checker(const Corner_table<d>& table) : table_(table) {}
-    /// For evaluate(). Values and counts do not depend on it.
+    /// For evaluate(). Values and counts do not depend on the number of threads.
     void set_threads(int threads) { threads_ = threads; }
 
-    /// Starts at positions x (one for every vertex index), which must outlive the examination. O(entries of before).
+    /// Starts at positions x (one for every vertex index), which must outlive the examination. O(previous entries).
     void begin(std::span<const Coordinates<d>> x);
-    /// Nothing is pending.
+    /// Removes all entries.
     void clear();
-    /// From now on the table changes: entries may cease to exist.
+    /// The table is going to change: from now on entries may cease to exist.
     void note_changes() { assign_places(), changing_ = true; }
 
     void add_facet(Corner_index f);
     void add_cell(Cell_index c);
-    /// Every certificate that contains v.
+    /// Adds every certificate that contains v.
     void add_star(Index v);
-    /// Every certificate of these cells and of their facets.
+    /// Adds every certificate of these cells and of their facets.
     void add_cells(std::span<const Cell_index> cells);
 
-    /// Evaluates what is stale, or of it the entries from these places on. Returns how many each stage decided.
+    /// Evaluates the stale entries; evaluate_from() only those from these places on. Returns how many each stage
+    /// decided.
     [[nodiscard]] Stage_counts evaluate() { return evaluate_from(0, 0); }
     [[nodiscard]] Stage_counts evaluate_from(std::size_t facet, std::size_t cell);
-    /// Whether every entry that exists holds; ties of the sphere are decided by the perturbation, which needs positive
-    /// cells: where one is inverted the answer is no anyway. Precondition: nothing is stale.
+    /// Whether every entry that exists holds. Degenerate spheres are decided by the symbolic perturbation, which
+    /// requires positive cells; where a cell is inverted, the answer is false anyway. Precondition: nothing is stale.
     [[nodiscard]] bool all_hold() const;
-    /// The certificate does not hold. That of a degenerate sphere only counts once its cells are positive.
+    /// Whether the certificate does not hold. For a degenerate sphere this is only meaningful once its cells are
+    /// positive.
     [[nodiscard]] bool is_violated(const Pending_facet& s) const;
     [[nodiscard]] bool is_violated(const Pending_cell& s) const { return s.value.sign <= 0; }
 
@@ -62,7 +64,7 @@ class Certificate_checker {
     [[nodiscard]] bool exists(const Pending_facet& s) const { return !changing_ || table_.is_facet(s.id); }
     [[nodiscard]] bool exists(const Pending_cell& s) const { return !changing_ || table_.is_cell(s.id); }
 
-    /// What it costs, in cells looked at, to evaluate all entries by the first stage; and what evaluation cost.
+    /// The cost, in cells tested, of evaluating all entries by the first stage; below, the cost of an evaluation.
     [[nodiscard]] double pending_cost() const {
         return Cost_model<d>::evaluation * static_cast<double>(facets_.size() + cells_.size());
     }
@@ -73,7 +75,7 @@ class Certificate_checker {
     }
 
   private:
-    /// Where an entry is: 1 + twice its place among facets, or 2 + twice that among cells. 0: nowhere.
+    /// Where an entry is: 1 + twice its place among the facets, or 2 + twice its place among the cells. 0: nowhere.
     using Place = std::uint32_t;
     [[nodiscard]] static Place facet_place(std::size_t i) { return 2 * static_cast<Place>(i) + 1; }
     [[nodiscard]] static Place cell_place(std::size_t i) { return 2 * static_cast<Place>(i) + 2; }
@@ -99,8 +101,8 @@ class Certificate_checker {
     std::span<const Coordinates<d>> x_;
     std::vector<Pending_facet> facets_;
     std::vector<Pending_cell> cells_;
-    By_cell<Place> entries_of_;  // the first of a cell and its facets, which leads to the others
-    bool placed_ = true;         // false: these are still to be filled in; a star has no certificate twice
+    By_cell<Place> entries_of_;  // the first entry of a cell and its facets; the others are linked from it
+    bool placed_ = true;         // false: entries_of_ is still to be filled; a star has no certificate twice
     bool changing_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pending certificates get their values: the filtered predicate, in batches.
+// How pending certificates get their values: by filtered predicates, in batches.
 #include <annulus/engine/certificate_checker.h>
 
 #include <annulus/mesh/degenerate.h>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-/// Entries whose certificates are evaluated together, each with the positions of its points. On the stack,
-/// since threads evaluate side by side; few, since a single move asks for few.
+/// Entries whose certificates are evaluated together, with the positions of their points. On the stack, because
+/// threads evaluate at the same time; small, because a single move needs few.
 template <class S, class T>
 struct Batch {
     static constexpr std::size_t capacity = 64;
@@ -31,7 +31,7 @@ struct Batch {
 
 }  // namespace
 
-/// The filtered predicate for a run of entries, in batches. Reads and writes nothing else.
+/// Evaluates the filtered predicates of a run of entries, in batches. Reads and writes nothing else.
 template <int d>
 template <class S>
 Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
@@ -40,7 +40,7 @@ Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
     const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
         if (batch.size == 0) return;
         boost::container::static_vector<Certificate_value, Batch<S, T>::capacity> value(
-            batch.size);  // an array would be filled whole
+            batch.size);  // an array would be filled as a whole
         counts += annulus::evaluate(std::span<const T>(batch.tuple.data(), batch.size),
                                     Tolerance_precision::lower_bound, {value.data(), batch.size});
         for (std::size_t i = 0; i < batch.size; ++i) {
@@ -80,8 +80,8 @@ Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
 template <int d>
 template <class S>
 Stage_counts Certificate_checker<d>::evaluate_stale(std::span<S> entries) const {
-    if (entries.empty()) return {};    // as cells often are
-    constexpr std::size_t run = 1024;  // whatever the number of threads
+    if (entries.empty()) return {};    // cells often are empty
+    constexpr std::size_t run = 1024;  // the same for every number of threads
     if (entries.size() <= run) return evaluate_run(entries);
     std::vector<Stage_counts> counts((entries.size() + run - 1) / run);
     for_each_run(entries.size(), run, threads_, [&](std::size_t first, std::size_t last) {

@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-/// |a - b|^2 rounded to nearest at every step: the truth times 1 + 6u at most, unless it underflows below 2^-1022.
+/// |a - b|^2 rounded to nearest at every step: at most 1 + 6u times the truth, unless it underflows below 2^-1022.
 template <int d>
 [[nodiscard]] inline double squared_distance(const Coordinates<d>& a, const Coordinates<d>& b) {
     double sum = 0.0;
@@ -29,9 +29,9 @@ template <int d>
     return sum * (1.0 + 0x1p-49);
 }
 
-/// A number S such that squared_distance(a, b) < S implies |a - b| < radius: the square rounded down past the errors
-/// of both sides, so the comparison needs no square root and no directed rounding. 0, which nothing is below, where
-/// squares could underflow (radius under 2^-450) and for radius <= 0.
+/// A number S such that squared_distance(a, b) < S implies |a - b| < radius. It is the square rounded down past the
+/// errors of both sides, so the comparison needs no square root and no directed rounding. It is 0, which nothing is
+/// below, where squares could underflow (radius under 2^-450) and for radius <= 0.
 [[nodiscard]] inline double squared_threshold_lower(double radius) {
     if (!(radius > 0x1p-450)) return 0.0;
     if (radius > 0x1p510) return 0x1p1020;  // beyond the diameter of the coordinate domain

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Displacement_budget: started, tested at every step, dropped.
+// Displacement_budget: how it starts, the step test, how it is dropped.
 #include <annulus/engine/displacement_budget.h>
 
 #include <annulus/arithmetic/domain.h>
@@ -50,12 +50,12 @@ void Displacement_budget<d>::add_vertex(Index v, const Coordinates<d>& p) {
     ANNULUS_TRACED(placed(*this, v));
 }
 
-/// The one pass over all vertices, of which this is a run.
+/// A run of the one pass over all vertices.
 template <int d>
 bool Displacement_budget<d>::find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                          std::vector<Index>& failed) const {
     const Vertex_record<d>* const record = vertex_.data();
-    double farthest = 0.0;  // coordinate; may miss what is no number, which fails below
+    double farthest = 0.0;  // coordinate; may miss a NaN, which fails below
     bool near = true;
     for (std::size_t v = first; v < last; ++v) {
         const Vertex_record<d>& r = record[v];

@@ -12,46 +12,49 @@
 
 namespace annulus {
 
-/// Remaining displacement budget of each vertex: the tolerances of a mesh whose certificates were evaluated at
-/// different times.
+/// The displacement budget of every vertex: what is left of the tolerances of a mesh whose certificates were
+/// evaluated at different times.
 ///
-/// Every vertex has a path length: `base` is an upper bound of the length of the path of its fixed positions since it
-/// was at 0, and its path length is base + |moving - fixed|. A certificate evaluated when its points read r_i and found
-/// to have tolerance s holds while every path length stays below its expiry r_i + s, because a path length bounds the
-/// distance travelled, hence the distance from where the point was when the certificate was evaluated. Different
-/// certificates have different references, which theory 1 allows: it asks that each holds now. A vertex keeps the
-/// earliest expiries among its certificates (Expiry_list), so its step test compares |moving - fixed|^2 with one
-/// number. When it fails its fixed position becomes the moving one (it is anchored), those of its certificates that
-/// expired are suspected, and once they have been evaluated (Repair) their points are anchored too and get new
-/// expiries. Soundness: docs/theory.md 5.
+/// Every vertex has a path length base + |moving - fixed|, where `base` is an upper bound of the length of the path
+/// of its fixed positions since `base` was 0. Let a certificate be evaluated when the path lengths of its points are
+/// r_i, and let its tolerance be s. It holds while every path length stays below its expiry r_i + s, because a path
+/// length bounds the distance travelled, hence the distance from where the point was when the certificate was
+/// evaluated. Different certificates refer to different positions, which theory 1 allows: it only requires that each
+/// holds now.
 ///
-/// While none are kept all of it is void, and its memory given back.
+/// A vertex keeps the earliest expiries among its certificates (Expiry_list), so its step test compares |moving -
+/// fixed|^2 with one number. When it fails, its fixed position becomes the moving one (it is anchored), and those of
+/// its certificates that expired become pending. Once they have been evaluated (Repair), their points are anchored
+/// too and get new expiries. Soundness: docs/theory.md 5.
+///
+/// While no budget is kept, all of it is void and its memory released.
 template <int d>
 class Displacement_budget {
   public:
     explicit Displacement_budget(const Corner_table<d>& table) : table_(table) {}
 
     [[nodiscard]] bool kept() const { return kept_; }
-    /// They are not to be trusted any more.
+    /// Marks everything as void.
     void invalidate() noexcept { kept_ = false; }
-    /// And their memory is given back.
+    /// The same, and releases the memory.
     void drop() noexcept;
 
-    /// Starts afresh at x: no certificate expires, until commit_fresh() has been told of it. O(n).
+    /// Starts again at x: no certificate expires until commit_fresh() has written its expiry. O(n).
     void begin(std::span<const Coordinates<d>> x);
-    /// What Certificate_checker evaluated there; no certificate that it names has an expiry.
+    /// Writes the expiries of what Certificate_checker evaluated there. Precondition: these certificates have none
+    /// yet.
     void commit_fresh(const Certificate_checker<d>& checker);
-    /// Then the step test may be asked.
+    /// After this the step test may be used.
     void finish_beginning();
 
-    /// A vertex that was not there, or none of whose certificates there are any more, is at p.
+    /// Puts a vertex at p that is new, or none of whose old certificates exist any more.
     void add_vertex(Index v, const Coordinates<d>& p);
-    /// Room for the vertices and cells that there are.
+    /// Makes room for the vertices and cells of the table.
     void resize();
 
     /// The fixed position.
     [[nodiscard]] const Coordinates<d>& fixed(Index v) const { return vertex_[at(v)].fixed; }
-    /// How far v may be from there (proofs/coq/float_displacement.v, passes_2_sound).
+    /// How far v may be from its fixed position (proofs/coq/float_displacement.v, passes_2_sound).
     [[nodiscard]] double slack(Index v) const {
         const List& list = list_[at(v)];
         return (list.earliest().path_length() - list.base) * (1.0 - 0x1p-50);
@@ -62,17 +65,17 @@ class Displacement_budget {
         return squared_distance<d>(p, r.fixed) < r.threshold.value() || p == r.fixed;
     }
     /// The step test of vertices [first, last): appends those that left their tolerances. False, with the list
-    /// unspecified, when a coordinate is outside the domain, or is none at all, be it at a free index.
+    /// unspecified, when a coordinate is outside the domain or not a number, even at a free index.
     [[nodiscard]] bool find_failed(std::span<const Coordinates<d>> x, std::size_t first, std::size_t last,
                                    std::vector<Index>& failed) const;
 
-    /// Takes what is due: anchors those that failed, and names their certificates that expired to Certificate_checker.
+    /// Anchors the vertices that failed, and adds their certificates that expired to the checker.
     void find_expired(Step<d>& step, Certificate_checker<d>& checker);
-    /// Takes that back.
+    /// Undoes find_expired().
     void undo(const Step<d>& step);
-    /// Writes down what was evaluated or created; the mesh is Delaunay at step.x.
+    /// Writes the expiries of what was evaluated or created; the mesh is Delaunay at step.x.
     void commit(Step<d>& step, const Certificate_checker<d>& checker);
-    /// Before what find_expired() is not called for: certificates that others name are about to be evaluated.
+    /// Begins a step without find_expired(): the caller names the certificates that are going to be evaluated.
     void begin_anchoring(Step<d>& step);
 
   private:
@@ -80,7 +83,7 @@ class Displacement_budget {
     using List = Vertex_expiries<d>;
 
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// Path length of v at x: an upper bound.
+    /// An upper bound of the path length of v at x.
     [[nodiscard]] double path_length(Index v, const Coordinates<d>& x) const {
         return sum_upper(list_[at(v)].base, distance_upper<d>(x, vertex_[at(v)].fixed));
     }
@@ -97,19 +100,19 @@ class Displacement_budget {
     template <bool fresh>
     void commit_evaluated(const Certificate_checker<d>& checker, Step<d>* step);
     template <bool fresh, class S, class Expiry_of>
-    void commit_points(const S& suspect, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
+    void commit_points(const S& certificate, Certificate_id id, Expiry_of expiry_of, Step<d>* step);
 
     const Corner_table<d>& table_;
     bool kept_ = false;
     std::vector<Vertex_record<d>> vertex_;
     std::vector<List> list_;  // by vertex
     Certificate_expiries<d> expiries_;
-    std::uint32_t stamp_ = 0;  // of Expiry_list::stamp
-    struct Tour {
+    std::uint32_t stamp_ = 0;  // the present step, for Expiry_list::stamp
+    struct Star_walk {
         std::vector<std::uint32_t> certificates;  // 2 half-facet, or 2 corner + 1
-        std::vector<Expiry> listed;               // not reached
+        std::vector<Expiry> listed;               // those not reached
         std::vector<Certificate_id> listed_id;
-    } tour_;
+    } walk_;
 };
 
 extern template class Displacement_budget<2>;

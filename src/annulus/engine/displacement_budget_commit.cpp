@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Displacement_budget: what is written down of certificates that were evaluated.
+// Displacement_budget: what is written down of evaluated certificates.
 #include <annulus/engine/displacement_budget.h>
 
 #include <annulus/engine/trace.h>
@@ -13,7 +13,7 @@ constexpr Expiry never = Expiry::never();
 constexpr std::size_t prefetched = 8;  // certificates ahead
 }  // namespace
 
-/// Gives a certificate evaluated at the step's positions its expiries and tells its points.
+/// Writes the expiries of a certificate evaluated at the step's positions, here and in the lists of its points.
 template <int d>
 template <bool fresh, class S, class Expiry_of>
 void Displacement_budget<d>::commit_points(const S& s, Certificate_id id, Expiry_of expiry_of, Step<d>* step) {
@@ -33,7 +33,8 @@ void Displacement_budget<d>::commit_points(const S& s, Certificate_id id, Expiry
     ANNULUS_TRACED(written(*this, s, id, expiry_of));
 }
 
-/// What commit_points() needs of these points first: whether they are anchored. A guess would have to wait for it.
+/// Fetches what commit_points() needs first of these points: whether they are anchored. A branch on it would have to
+/// wait.
 template <int d>
 template <class Points>
 void Displacement_budget<d>::prefetch(const Points& points) const {
@@ -80,8 +81,8 @@ void Displacement_budget<d>::commit_evaluated(const Certificate_checker<d>& chec
     }
 }
 
-/// Starts v's path length at 0 again: what is left of each of its certificates stays what it is. Displacement_budget
-/// that have come a long way would round tolerances away.
+/// Sets `base` of v to 0 and lowers the expiries of its certificates accordingly, so that what is left of each stays
+/// the same. A large `base` would round tolerances away.
 template <int d>
 void Displacement_budget<d>::rebase(Index v) {
     List& list = list_[at(v)];

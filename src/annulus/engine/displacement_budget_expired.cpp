@@ -8,7 +8,7 @@
 
 namespace annulus {
 
-/// Looks at one certificate of v, which is anchored: expired, or else back on the list.
+/// Tests one certificate of v, which is anchored: it has expired and becomes pending, or it returns to the list.
 template <int d>
 void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificate_checker<d>& checker) {
     List& list = list_[at(v)];
@@ -38,25 +38,25 @@ void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificat
     }
 }
 
-/// Looks at every certificate of v and refills the list. First all records are fetched, so that the loads overlap;
-/// then they are sorted out.
+/// The star walk: tests every certificate of v and refills its list. First it fetches all records, so that the loads
+/// overlap; then it sorts them.
 template <int d>
 void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_checker<d>& checker) {
     List& list = list_[at(v)];
     ++step.star_walks;
     list.clear();
-    tour_.certificates.clear();
-    tour_.listed.clear();
-    tour_.listed_id.clear();
+    walk_.certificates.clear();
+    walk_.listed.clear();
+    walk_.listed_id.clear();
     for_each_certificate(
         table_, v,
         [&](Corner_index h) {
             expiries_.prefetch(table_.cell_of(h));
-            tour_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
+            walk_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value()) + 1);
         },
-        [&](Corner_index h) { tour_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value())); });
-    Corner_index own;  // of v, in the cell of the facets that follow its certificate
-    for (const std::uint32_t k : tour_.certificates) {
+        [&](Corner_index h) { walk_.certificates.push_back(2 * static_cast<std::uint32_t>(h.value())); });
+    Corner_index own;  // the corner of v in the cell of the facets that follow
+    for (const std::uint32_t k : walk_.certificates) {
         const Corner_index h(static_cast<Index>(k >> 1));
         Certificate_id id = id_of_cell(table_.cell_of(h));
         Expiry expiry;
@@ -70,11 +70,11 @@ void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_chec
         if (expiry.reached(list.base)) {
             check_expiry(id, v, checker);
         } else {
-            tour_.listed.push_back(expiry);
-            tour_.listed_id.push_back(id);
+            walk_.listed.push_back(expiry);
+            walk_.listed_id.push_back(id);
         }
     }
-    list.put_new(tour_.listed, tour_.listed_id);
+    list.put_new(walk_.listed, walk_.listed_id);
     ANNULUS_TRACED(toured(*this, v));
 }
 
@@ -110,7 +110,7 @@ void Displacement_budget<d>::find_expired(Step<d>& step, Certificate_checker<d>&
     ANNULUS_TRACED(anchored(*this, step));
     for (const Index v : step.failed) {
         List& list = list_[at(v)];
-        if (!list.rest().reached(list.base))  // else the star walk looks at these as well
+        if (!list.rest().reached(list.base))  // else visit_star() tests these as well
             list.take_reached(list.base, [&](Certificate_id id) { check_expiry(id, v, checker); });
         if (list.rest().reached(list.base)) visit_star(v, step, checker);
         ANNULUS_TRACED(examined(*this, v));

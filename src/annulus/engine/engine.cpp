@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Engine: made, kept whole, and what it tells. Moves are in engine_moves.cpp.
+// Engine: construction, recovery, queries. Moves are in engine_moves.cpp.
 #include <annulus/engine/engine.h>
 
 #include <annulus/arithmetic/domain.h>
@@ -44,7 +44,7 @@ void Engine<d>::build(std::span<const Point> points) {
     if (options_.merge_duplicates) {
         std::map<Point, Index> seen;
         for (auto p : points) {
-            for (double& c : p) c += 0.0;  // -0 and 0 are one place
+            for (double& c : p) c += 0.0;  // -0 and 0 are one position
             const auto [it, fresh] = seen.emplace(p, static_cast<Index>(distinct.size()));
             if (fresh) distinct.push_back(p);
             vertex_of_input_.push_back(it->second);
@@ -65,7 +65,7 @@ void Engine<d>::require_whole() {
     if (!whole_) throw std::bad_alloc();
 }
 
-/// Whatever is left, one set of positions is whole: those of before the call.
+/// Whatever is left, one set of positions is complete: the previous ones.
 template <int d>
 void Engine<d>::recover(std::size_t bound, Index fresh) noexcept {
     whole_ = false;
@@ -129,8 +129,8 @@ Move_report Engine<d>::recompute_tolerances() {
     return report;
 }
 
-/// Insertion and removal need Delaunay triangulations; tolerances that are not certified may have left another, or
-/// one at other positions.
+/// Insertion and removal need a Delaunay triangulation. Tolerances that are not certified may have left another one,
+/// or one at other positions.
 template <int d>
 void Engine<d>::make_trusted(Move_report& report) {
     if (strategy_->trusted()) return;
@@ -139,7 +139,7 @@ void Engine<d>::make_trusted(Move_report& report) {
     strategy_->begin(x, report);
 }
 
-/// The name of the vertex at p, of all below the bound, is thrown.
+/// Throws the name of the vertex at p, searched below the bound.
 template <int d>
 void Engine<d>::throw_taken(const Point& p, std::size_t bound) const {
     const Index other = vertex_at(p, bound);
@@ -194,7 +194,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
         try {
             mesh_.remove(positions(), i, changed);
         } catch (...) {
-            if (!mesh_.has(i)) free_indices_.push_back(i);  // gone, but what followed failed
+            if (!mesh_.has(i)) free_indices_.push_back(i);  // removed, but what followed failed
             throw;
         }
         free_indices_.push_back(i);

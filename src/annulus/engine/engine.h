@@ -17,18 +17,18 @@ namespace annulus {
 template <int d>
 class Update_strategy;
 
-/// Vertices that move, under a strategy, and their triangulation: what Moving_delaunay and Moving_mesh promise is kept
-/// here, and they say what it is. Vertices are named by index.
+/// Vertices that move, the strategy that moves them, and their triangulation. Moving_delaunay and Moving_mesh
+/// document what this class implements. Vertices are named by index.
 template <int d>
 class Engine {
   public:
     using Point = Coordinates<d>;
 
-    /// The mesh must outlive it, and is changed by nothing else. Throws environment, usage (threads below 1).
+    /// The mesh must outlive the engine; nothing else may change it. Throws environment, usage (threads below 1).
     Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Update_strategy<d>> strategy);
     ~Engine();
 
-    /// Triangulates these points. Once.
+    /// Triangulates these points. Called once.
     void build(std::span<const Point> points);
 
     Move_report move(Index i, const Point& p);
@@ -45,7 +45,8 @@ class Engine {
     void require_vertex(Index i) const;
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return vertex_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
-    /// Those at which the triangulation is Delaunay: others only while tolerances that are not certified are kept.
+    /// The positions at which the triangulation is Delaunay. They differ from positions() only while tolerances that
+    /// are not certified are kept.
     [[nodiscard]] std::span<const Point> delaunay_positions() const;
     [[nodiscard]] Point fixed_position(Index i) const;
     [[nodiscard]] double tolerance(Index i) const;
@@ -60,8 +61,8 @@ class Engine {
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     template <class Call>
     void guarded(Call call, Index fresh = none);
-    /// The same, with the targets by index, all of them or those of the movers alone; a duplicate point is thrown with
-    /// the names of both vertices.
+    /// The same for moves, with the targets by index: all of them, or only those of the movers. A duplicate point is
+    /// thrown with the names of both vertices.
     template <class Call>
     void guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
@@ -88,7 +89,7 @@ class Engine {
     std::unique_ptr<Update_strategy<d>> strategy_;
     std::vector<Index> free_indices_;
     std::vector<Index> vertex_of_input_;
-    std::unique_ptr<Change_log<d>> change_log_;  // where changes are reported
+    std::unique_ptr<Change_log<d>> change_log_;  // null unless changes are reported
     bool whole_ = true;  // false: there are positions but no cells, because memory ran out twice
 };
 

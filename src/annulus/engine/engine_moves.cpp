@@ -20,13 +20,13 @@ Move_report Engine<d>::move(Index i, const Point& p) {
     require_vertex(i);
     require_in_domain(p, "vertex", i);
     Move_report report;
-    const Point target = p;  // it may be one of positions(), which change on the way
+    const Point target = p;  // it may be one of positions(), which change meanwhile
     guarded_moves(std::span(&i, 1), std::span(&target, 1),
                   [&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, target, report); }); });
     return report;
 }
 
-/// Under the filters single moves of flat sets are rebuilds.
+/// Strategies that repair the mesh rebuild flat sets, even for a single move.
 template <int d>
 void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
     if (!strategy_->repairs() || mesh_.dimension() == d) {
@@ -50,26 +50,26 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     for (const Index i : indices) require_vertex(i);
     for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
     Move_report report;
-    const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change on the way
+    const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change meanwhile
     guarded_moves(indices, targets,
                   [&] { listing_changes(report, indices, [&] { move_some(indices, targets, report); }); });
     return report;
 }
 
-/// One by one while they are few and what each changes is local, as a time step otherwise, or from when they have
-/// turned out to cost more than a rebuild. The last position of an index that is named twice holds. A vertex that
-/// stands where another goes, and goes itself, is no duplicate point: then, too, it is a time step.
+/// One by one while the movers are few and their changes local; otherwise as a time step, or from when they have
+/// turned out to cost more than a rebuild. If an index is named twice, its last position counts. A mover at the
+/// target of another mover is no duplicate point: this, too, is made a time step.
 template <int d>
 void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
     constexpr std::size_t share = 64;
-    // Each once, with its last target. What may throw comes before the moves.
+    // Each mover once, with its last target. What may throw comes before the moves.
     std::vector<std::pair<Index, std::size_t>> movers;
     for (std::size_t k = 0; k < indices.size(); ++k) movers.emplace_back(indices[k], k);
     std::sort(movers.begin(), movers.end(), std::greater<>());
     movers.erase(
         std::unique(movers.begin(), movers.end(), [](const auto& l, const auto& r) { return l.first == r.first; }),
         movers.end());
-    std::vector<std::pair<Index, Point>> source;  // of those that were moved, and of the one that was not
+    std::vector<std::pair<Index, Point>> source;  // of those that were moved, and of the one that failed
     const auto restore_position = [&] {
         for (; !source.empty(); source.pop_back())
             strategy_->restore_position(source.back().first, source.back().second);
@@ -80,7 +80,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
             source.reserve(movers.size());
             try {
                 if (move_one_by_one(movers, points, source, report)) return;
-                too_expensive = true;  // or flat, which is rebuilt all the same
+                too_expensive = true;  // or flat, which is rebuilt anyway
             } catch (const Error& e) {
                 if (e.code() != Error_code::duplicate_point) throw;
             }
@@ -89,7 +89,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
         for (auto it = source.rbegin(); it != source.rend(); ++it) x[at(it->first)] = it->second;
         const std::vector<Point> old = x;
         for (const auto& [i, k] : movers) x[at(i)] = points[k];
-        // Those that were reinserted go too far for flips, be they all of a time step.
+        // If most were reinserted, the movers go too far for flips, even in one time step.
         const bool far = 2 * report.moves.reinserted > source.size();
         report.moves = {};
         try {
@@ -110,7 +110,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
     count_movers(movers.size(), report.moves);
 }
 
-/// Of a time step, those that were to move.
+/// Counts only those that were to move in a time step.
 template <int d>
 void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
     moves.asked = movers;
@@ -122,7 +122,8 @@ void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
     moves.within_tolerance = left;
 }
 
-/// `source` receives where they were. False: the rest would cost more than everything, or what there is by now is flat.
+/// `source` receives the previous positions. False: the rest would cost more than a rebuild, or the mesh is flat by
+/// now.
 template <int d>
 bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
                                 std::vector<std::pair<Index, Point>>& source, Move_report& report) {
@@ -144,7 +145,7 @@ Move_report Engine<d>::move_all(std::span<const Point> points) {
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
-    // Strategies that repair whole time steps look at every position anyway, and find out themselves.
+    // Strategies that repair whole time steps read every position anyway, and check it themselves.
     if (!strategy_->repairs() || strategy_->is_sequential() || mesh_.dimension() != d)
         for (std::size_t i = 0; i < points.size(); ++i)
             if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
@@ -174,7 +175,7 @@ void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
     strategy_->begin(x, report);
 }
 
-/// Vertices in an order in which each finds its place left by the one that is there, as far as there is one (not in a
+/// Orders vertices so that each finds its target left by the vertex that is there, as far as possible (not in a
 /// cycle). O(n log n).
 template <int d>
 void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const {
@@ -201,8 +202,8 @@ void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& 
 }
 
 /// A time step under a strategy that moves one vertex at a time. A position that another vertex has yet to leave is
-/// no duplicate point of the time step: such vertices are moved last, in an order that is sought once, and when that
-/// does not help (a cycle) all is rebuilt.
+/// no duplicate point of the time step: such vertices are moved last, in an order that is computed once. When that
+/// does not help (a cycle), everything is rebuilt.
 template <int d>
 void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& report) {
     std::vector<Index> waiting;
@@ -218,8 +219,8 @@ void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& rep
             if (strategy_->repairs() &&
                 (mesh_.dimension() != d ||
                  Rebuild_policy<d>::exceeds_rebuild_in_sequence(report.cost - before, turns++, mesh_.vertices()))) {
-                // Single moves of a flat set are rebuilds, and may be as expensive where much is on one sphere: all at
-                // once.
+                // Single moves of a flat set are rebuilds, and may be as expensive where many vertices are on one
+                // sphere: all at once.
                 report.moves = {};
                 rebuild_all(x, report);
                 return;
@@ -232,7 +233,7 @@ void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& rep
                 if (!ordered) break;
             }
         }
-        if (!ordered && !refused.empty()) {  // those that were moved are no longer in anybody's way
+        if (!ordered && !refused.empty()) {  // those that were moved are no longer in the way
             ordered = true;
             const auto tried = std::find(waiting.begin(), waiting.end(), refused.back());
             waiting.erase(waiting.begin(), tried);

@@ -15,33 +15,34 @@ namespace annulus {
 /// The number of a certificate in an expiry list.
 using Certificate_id = std::uint32_t;
 
-/// The certificates of one vertex that expire first, at its path length, and a bound for all others.
+/// The certificates of one vertex that expire first, by path length, and a bound for all others.
 ///
 /// For every certificate of the vertex, either it is listed with an expiry not above its own, or its expiry is at
-/// least `rest`. So nothing expires before `earliest()`, and while path lengths stay below `rest` only listed
-/// certificates have to be looked at: a full star walk of the vertex' certificates is needed only beyond. Entries are
-/// hints; the record of the certificate is the truth.
+/// least `rest`. So nothing expires before `earliest()`. While the path length stays below `rest`, only listed
+/// certificates have to be tested; beyond it a star walk is needed. Entries are hints; the record of the certificate
+/// (Certificate_expiries) is the truth.
 ///
-/// Entries are kept sorted without branches: where one belongs is as good as random, and a wrong guess costs more than
-/// all of the moves.
+/// Entries are kept sorted without branches: the place of a new entry is as good as random, and a wrong prediction
+/// costs more than all the moves.
 template <std::size_t capacity>
 class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one and a half
   public:
-    /// No certificate at all.
+    /// Removes every certificate.
     void clear() {
         rest_ = Expiry::never();
         entry_.fill(empty_entry);
     }
     [[nodiscard]] Expiry earliest() const { return std::min(rest_, expiry_of(entry_[0])); }
     [[nodiscard]] Expiry rest() const { return rest_; }
-    /// The last of those listed; `rest` when there is none.
+    /// The latest of the listed expiries; `rest` when nothing is listed.
     [[nodiscard]] Expiry latest() const {
         for (std::size_t i = capacity; i-- > 0;)
             if (entry_[i] != empty_entry) return expiry_of(entry_[i]);
         return rest_;
     }
 
-    /// Takes those off whose expiry `path_length` has reached and calls visit(id) for each; visit may put entries.
+    /// Removes the entries whose expiry `path_length` has reached and calls visit(id) for each; visit may put
+    /// entries.
     template <class Visit>
     void take_reached(double path_length, Visit visit) {
         const Entry end = (Entry{Expiry::lower(path_length).bits()} + 1) << 32;
@@ -53,13 +54,13 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         std::copy_n(queue.begin() + static_cast<std::ptrdiff_t>(count), capacity, entry_.begin());
         for (std::size_t i = 0; i < count; ++i) visit(id_of(queue[i]));
     }
-    /// States that certificate `id` now expires at `expiry`. Most are neither listed nor below `rest`, which then
-    /// speaks for them.
+    /// Certificate `id` now expires at `expiry`. Most certificates are neither listed nor below `rest`, which then
+    /// covers them.
     void put(Certificate_id id, Expiry expiry) {
         bool listed = false;
         for (const Entry e : entry_) listed |= id_of(e) == id;
         if (!listed && !(expiry < rest_)) return;
-        Entry found = 0;  // all ones from where the entry of `id` is
+        Entry found = 0;  // all ones from the entry of `id` on
         for (std::size_t i = 0; i < capacity; ++i) {
             const Entry next = i + 1 < capacity ? entry_[i + 1] : empty_entry;
             found |= mask(id_of(entry_[i]) == id);
@@ -78,13 +79,13 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         rest_ = std::min(rest_, expiry_of(moving));
     }
 
-    /// The same for many certificates none of which is listed: sooner than one by one where most are for `rest`. A
-    /// bound that about `capacity` of them are below is found by counting, which no branch depends on.
+    /// The same for many certificates, none of which is listed. Faster than one by one where `rest` covers most of
+    /// them: a bound below which about `capacity` of them lie is found by counting, without branches.
     void put_new(std::span<const Expiry> expiry, std::span<const Certificate_id> id) {
         const std::uint32_t never = Expiry::never().bits();
         std::uint32_t low = never;
         for (const Expiry e : expiry) low = std::min(low, e.bits());
-        // No more than `capacity` are below low; more are below high, or it is never.
+        // At most `capacity` are below low; more are below high, unless high is `never`.
         std::uint32_t high = never;
         bool enough = expiry.size() <= capacity;
         if (enough) low = never;
@@ -101,18 +102,18 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
         }
     }
 
-    /// Upper bound of the length of the path of fixed positions since the path length was at 0.
+    /// Upper bound of the length of the path of fixed positions since this was 0.
     double base = 0.0;
-    /// Of the step in which the vertex was anchored last (Displacement_budget::stamp_).
+    /// The step in which the vertex was last anchored (Displacement_budget::stamp_).
     std::uint32_t stamp = 0;
 
   private:
     friend struct Trace;          // trace.h
     using Entry = std::uint64_t;  // expiry and id: the order is that of expiries
-    // No certificate has that number.
+    // No certificate has this id.
     static constexpr Entry empty_entry = (Entry{Expiry::never().bits()} << 32) | 0xFFFFFFFFU;
 
-    /// All ones or all zeros; compilers make branches of the conditional operator and of std::min.
+    /// All ones or all zeros; compilers turn the conditional operator and std::min into branches.
     [[nodiscard]] static Entry mask(bool b) { return Entry{0} - static_cast<Entry>(b); }
     [[nodiscard]] static Expiry expiry_of(Entry e) { return Expiry::of_bits(static_cast<std::uint32_t>(e >> 32)); }
     [[nodiscard]] static Certificate_id id_of(Entry e) { return static_cast<Certificate_id>(e); }

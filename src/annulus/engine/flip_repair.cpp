@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Holding back, flipping, going on: what is the same in every dimension.
+// Flip_repair: holding back, flipping, advancing; what is the same in every dimension.
 #include <annulus/engine/flip_repair.h>
 
 #include <annulus/engine/cost_model.h>
@@ -29,8 +29,7 @@ void Flip_repair<d>::moved(Index v) {
     signs_.test_star(v, true);
 }
 
-/// No cell is inverted afterwards, except those that are at hand in `inverted_at_source`. False when it has become
-/// too expensive.
+/// Afterwards no cell is inverted except those in `inverted_at_source`. False when it has become too expensive.
 template <int d>
 bool Flip_repair<d>::untangle_or_hold_back() {
     auto& inverted = signs_.inverted();
@@ -47,7 +46,7 @@ bool Flip_repair<d>::untangle_or_hold_back() {
     return true;
 }
 
-/// What no flip repairs has to wait for others, and is stuck when there are none left.
+/// A facet that no flip repairs waits for other flips; it is stuck when there are none left.
 template <int d>
 bool Flip_repair<d>::flip_violated() {
     auto& violated = signs_.violated();
@@ -73,8 +72,8 @@ bool Flip_repair<d>::flip_violated() {
     return true;
 }
 
-/// The cells at which it is stuck, and their vertices, with all vertices at their targets. The lists are empty
-/// afterwards.
+/// Collects the cells at which flips are stuck, and their vertices, with all vertices at their targets. Empties the
+/// lists.
 template <int d>
 void Flip_repair<d>::note_stuck(std::vector<Cell_index>& seeds) {
     const auto seed = [&](Cell_index c) {
@@ -101,7 +100,7 @@ void Flip_repair<d>::note_stuck(std::vector<Cell_index>& seeds) {
     sort_unique(seeds);
 }
 
-/// All vertices go to their targets, and what does not hold there is rebuilt.
+/// Puts all vertices at their targets and rebuilds what does not hold there.
 template <int d>
 bool Flip_repair<d>::finish_locally() {
     std::vector<Cell_index> seeds;
@@ -122,7 +121,7 @@ bool Flip_repair<d>::finish_locally() {
     return nothing_inverted() && flip_violated() && left_.stuck.empty() && nothing_inverted();
 }
 
-/// And then the list is empty.
+/// Whether no cell is inverted; then the list is empty.
 template <int d>
 bool Flip_repair<d>::nothing_inverted() {
     std::erase_if(signs_.inverted(), [this](Cell_index c) { return !table_.is_cell(c) || !signs_.is_inverted(c); });

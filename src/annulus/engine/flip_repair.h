@@ -11,24 +11,46 @@
 
 namespace annulus {
 
-/// What repair came to.
+/// The result of a repair.
 struct Repair_result {
     bool done = false;           ///< every certificate holds at the targets
-    bool cells_rebuilt = false;  ///< cells were, after which the table may be pinched at infinity (docs/theory.md 6.5)
+    bool cells_rebuilt = false;  ///< afterwards the table may be pinched at infinity (docs/theory.md 6.5)
     std::uint64_t flips = 0;
-    std::vector<Cell_index> touched;  ///< cells made or changed, some perhaps gone again, each once
-    std::vector<Index> reinserted;    ///< vertices at which flips were stuck, so that cells around them were rebuilt
+    std::vector<Cell_index> touched;  ///< cells made or changed, each once; some may be gone again
+    std::vector<Index> reinserted;    ///< vertices at which flips got stuck, so that cells around them were rebuilt
 };
 
-/// Leads a table that is Delaunay where its vertices come from to the one that is Delaunay where they go, by flips.
+/*
+         a                  a
+        / \                /|\         x inside abc, 2-3: the facet abc makes way for the edge pq;
+       /   \       2-3    / | \        the cells abcp, abcq become abpq, bcpq, capq
+      /  x  \      -->   /  x  \
+     /       \          / .' '. \
+    b---------c        b---------c
+
+         a                  a
+        / \                /|\         x beyond bc, 3-2: the edge bc makes way for the facet apq;
+       /   \       3-2    / | \        the cells abcp, abcq, bcpq become abpq, capq
+      b-----c      -->   b  |  c
+       \   /              \ | /        (a 2-2 flip in 2D looks the same, with a vertex at x)
+        \ /                \|/
+         x                  x
+*/
+/// Turns a table that is Delaunay at the sources of its vertices into the one that is Delaunay at their targets, by
+/// flips.
 ///
-/// Where a cell is inverted at the targets one of its vertices is held back (Held_back). Violated facets of positive
-/// cells are flipped. Then those held back go on from where they are, through the triangulation in which what stood
-/// in their way has been flipped (docs/theory.md 6.3). At the hull, where half way is never outside, the cell that a
-/// vertex turns over by leaving goes. What is still stuck after that is rebuilt locally (Cavity_retriangulator).
+/// Where a cell is inverted at the targets, one of its vertices is held back (Held_back). Violated facets of positive
+/// cells are flipped. Then the vertices held back advance from where they are, in the triangulation in which the
+/// facets in their way have been flipped (docs/theory.md 6.3). At the hull half way is never outside; there a flip
+/// removes the cell that a vertex inverts by leaving (6.4). What is still stuck after that is rebuilt locally
+/// (Cavity_retriangulator).
 ///
-/// Nothing here is trusted: a certificate that is not known to hold is on a list of `signs` until it has been seen to
-/// hold, at the targets, and repair is done when the lists are empty. Only the table changes.
+/// In 2D a flip (2-2) exchanges the diagonals of a bi-cell. In 3D the flip depends on the point x where the edge pq
+/// of the two opposite vertices meets the plane of the facet abc. The pictures show this plane; p is above it, q
+/// below.
+///
+/// Nothing here is trusted: a certificate that is not known to hold stays on a list of `signs` until its sign at the
+/// targets has shown that it holds, and repair is done when the lists are empty. Only the table changes.
 template <int d>
 class Flip_repair {
   public:
@@ -36,13 +58,13 @@ class Flip_repair {
     Flip_repair(Delaunay_mesh<d>& mesh, Sign_evaluator<d>& signs)
         : table_(mesh.table()), signs_(signs), local_(mesh.table()) {}
 
-    /// Nothing has been repaired.
+    /// Starts with nothing repaired.
     void begin();
-    /// What is not known to hold at course.x is on the lists of signs, which began there. Not done: what was done costs
-    /// more than the budget has, or led nowhere. The table is then of no use, as when it throws, until the cells that
-    /// were touched are restored. On return course.x has the targets again.
+    /// The certificates that are not known to hold at path.x are on the lists of signs, which began there. Not done:
+    /// the work has cost more than the budget, or led nowhere. Then, as when it throws, the table is of no use until
+    /// the cells that were touched are restored. On return path.x has the targets again.
     const Repair_result& repair(const Motion_path<d>& path, Budget& budget);
-    /// Of repair(), since begin().
+    /// The result of repair(), since begin().
     [[nodiscard]] const Repair_result& result() const { return result_; }
 
   private:
@@ -51,7 +73,7 @@ class Flip_repair {
     [[nodiscard]] bool untangle_or_hold_back();
     [[nodiscard]] bool untangle(Cell_index c);
     [[nodiscard]] bool flip_violated();
-    /// The flip that repairs a violated facet, of which h is a half, if there is one that leaves positive cells.
+    /// Makes the flip that repairs a violated facet, of which h is a half, if there is one whose cells are positive.
     [[nodiscard]] bool flip(Corner_index h);
     [[nodiscard]] bool finish_locally();
     void note_stuck(std::vector<Cell_index>& seeds);
@@ -59,11 +81,10 @@ class Flip_repair {
     void moved(Index v);
     [[nodiscard]] bool nothing_inverted();
 
-    /// What the lists of signs do not hold.
+    /// Failures that are not on the lists of signs.
     struct Left {
-        std::vector<Cell_index>
-            inverted_at_source;           // cells that are inverted with all their vertices where they come from
-        std::vector<Corner_index> stuck;  // facets that no flip repairs
+        std::vector<Cell_index> inverted_at_source;  // cells inverted with all vertices at their sources
+        std::vector<Corner_index> stuck;             // facets that no flip repairs
         std::vector<Corner_index> waiting;
     };
 

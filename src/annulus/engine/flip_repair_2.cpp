@@ -7,7 +7,7 @@ namespace annulus {
 
 namespace {
 
-/// The two triangles that the other diagonal makes of the bi-cell at h.
+/// The two triangles of the bi-cell at h with the other diagonal.
 std::array<Cell_sites<2>, 2> flipped(const Corner_table<2>& t, Corner_index h) {
     const Site<2> q = t.site(h);
     const Site<2> p = t.opposite(h);
@@ -22,7 +22,7 @@ bool Flip_repair<2>::flip(Corner_index h) {
     if (table_.site(h) == table_.opposite(h)) return false;
     for (const Corner_index k : {table_.ccw(h), table_.cw(h), table_.ccw(table_.twin(h)), table_.cw(table_.twin(h))}) {
         const Cell_index beside = table_.cell_of(table_.twin(k));
-        if (beside == cells[0] || beside == cells[1]) return false;  // it would be beside itself
+        if (beside == cells[0] || beside == cells[1]) return false;  // it would become its own neighbour
     }
     for (const Cell_sites<2>& x : flipped(table_, h))
         if (signs_.sign(x) <= 0) return false;
@@ -31,7 +31,8 @@ bool Flip_repair<2>::flip(Corner_index h) {
     return true;
 }
 
-/// A triangle at the border that its vertex turned over by leaving: the edge of the border that it crossed goes.
+/// A triangle at the border that its vertex inverted by leaving: flips the edge of the border that the vertex
+/// crossed.
 template <>
 bool Flip_repair<2>::untangle(Cell_index c) {
     for (int i = 0; i <= 2; ++i) {

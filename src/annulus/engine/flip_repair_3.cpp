@@ -8,16 +8,16 @@
 
 namespace annulus {
 
-/// Of the two triangulations of five points one is locally Delaunay: 2-3 where the edge of the opposite vertices
-/// crosses the facet, 3-2 where it passes by one side. Where four of the points are coplanar, 4-4 if the two edges
-/// cross.
+/// One of the two triangulations of five points is locally Delaunay: 2-3 where the edge of the opposite vertices
+/// crosses the facet, 3-2 where it passes outside (pictures: flip_repair.h). Where four of the points are coplanar,
+/// 4-4 if the two edges cross.
 template <>
 bool Flip_repair<3>::flip(Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(table_, h);
     const Site<3> q = x[3];
     const Site<3> p = table_.opposite(h);
     if (p == q) return false;
-    std::array<int, 3> passes{};  // the edge opposite to x[i], on its inner side
+    std::array<int, 3> passes{};  // whether pq passes the edge opposite to x[i] on its inner side
     int beside = 0;
     std::size_t odd = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -52,8 +52,8 @@ bool Flip_repair<3>::flip(Corner_index h) {
     return true;
 }
 
-/// A cell at the hull that its vertex turned over by leaving: the facet of the hull that it crossed goes. Not beside
-/// another inverted cell: then more is wrong than this flip would tell.
+/// A cell at the hull that its vertex inverted by leaving: flips the facet of the hull that the vertex crossed. Not
+/// if another neighbour is inverted: then more is wrong than this flip can tell.
 template <>
 bool Flip_repair<3>::untangle(Cell_index c) {
     if (table_.is_infinite(c)) return false;

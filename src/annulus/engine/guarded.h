@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// Makes a call that changes something. Whatever it throws but an Error that is thrown before any change, the
-/// triangulation is rebuilt at the positions of before; `fresh` is the index that the call inserts, if any.
+/// Makes a call that changes something. If it throws anything but an Error that is thrown before any change, the
+/// triangulation is rebuilt at the previous positions. `fresh` is the index that the call inserts, if any.
 template <int d>
 template <class Call>
 void Engine<d>::guarded(Call call, Index fresh) {

@@ -9,14 +9,14 @@
 
 namespace annulus {
 
-/// From where to where vertices move.
+/// The way of the vertices that move.
 template <int d>
 struct Motion_path {
-    /// The targets of all vertices, at the beginning and at the end; in between those that are held back are elsewhere.
+    /// The targets of all vertices, at the beginning and at the end; in between, vertices held back are elsewhere.
     std::span<Coordinates<d>> x;
-    /// Where all vertices come from. Empty when one alone moves.
+    /// The sources of all vertices. Empty when a single vertex moves.
     std::span<const Coordinates<d>> source{};
-    Index mover = none;  ///< that one
+    Index mover = none;  ///< the single vertex
     Coordinates<d> mover_source{};
 
     [[nodiscard]] const Coordinates<d>& source_of(Index v) const {
@@ -25,33 +25,47 @@ struct Motion_path {
     }
 };
 
-/// Vertices that are held back on their way, because a cell is inverted at their targets: half the way, then all of it.
-/// In the next round they go on from where they are (docs/theory.md 6.3).
+/*
+          b                     b                     b
+        / | \                  /  \                  \ \
+     /    |    \              /      \                \   \
+    s     |  t   d           h---------d               t----d
+     \    |    /              \      /                /   /
+        \ | /                  \  /                  / /
+          c                     c                     c
+
+    v at its source s         v at h, half way:     next round: v advances
+                              bc is flipped to vd   from h to t
+*/
+/// Vertices that are held back because a cell is inverted at their targets: first half way, then at their sources. In
+/// the next round they advance from where they are (docs/theory.md 6.3).
+///
+/// In 2D, with the cells to the left of v not drawn: v moves from s to t, and its triangle with bc is inverted at t.
 template <int d>
 class Held_back {
   public:
     struct Held {
         Index vertex;
-        Coordinates<d> source;  // of this round
+        Coordinates<d> source;  // in this round
         Coordinates<d> target;
-        double fraction;  // of the way from there to the target, that is tried
-        int times;        // held back in this round
+        double fraction;  // of the way from source to target, that is tried
+        int times;        // how often held back in this round
     };
 
-    /// All vertices, whose indices are below the bound, are at their targets.
+    /// Starts with all vertices at their targets; their indices are below the bound.
     void begin(const Motion_path<d>& path, std::size_t bound);
     [[nodiscard]] bool empty() const { return held_.empty(); }
     [[nodiscard]] std::span<const Held> held() const { return held_; }
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
 
-    /// Puts that of these vertices that is farthest from where it comes from half way, and the next time to its source.
-    /// Returns it, or `none` when all are there.
+    /// Moves one of these vertices back, the one farthest from its source: half way the first time, to its source the
+    /// next time. Returns it, or `none` when all are at their sources.
     [[nodiscard]] Index hold_back(const Cell_sites<d>& cell);
-    /// A new round: every vertex that is not at its target goes on towards it; moved(v) is called after each. Whether
-    /// one got nearer to its target in the last round.
+    /// Begins a round: every vertex that is not at its target advances towards it; moved(v) is called after each.
+    /// Returns whether a vertex got nearer to its target in the last round.
     template <class Moved>
     [[nodiscard]] bool advance(Moved moved);
-    /// Puts all at their targets; moved(v) is called after each that was elsewhere.
+    /// Puts all vertices at their targets; moved(v) is called after each that was elsewhere.
     template <class Moved>
     void release(Moved moved);
 
@@ -61,7 +75,7 @@ class Held_back {
     Motion_path<d> path_;
     bool first_round_ = true;
     std::vector<Held> held_;
-    std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held
+    std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held back
 };
 
 template <int d>
@@ -78,7 +92,7 @@ Index Held_back<d>::hold_back(const Cell_sites<d>& cell) {
     for (const auto& [v, label] : cell) {
         if (v == infinite) continue;
         const Index k = place_of_[at(v)];
-        if (k == 0 && !first_round_) continue;  // where it is the others have been flipped for it
+        if (k == 0 && !first_round_) continue;  // the others have been flipped for its present position
         const Coordinates<d>& source = k != 0 ? held_[at(k - 1)].source : path_.source_of(v);
         const double way = squared_distance<d>(path_.x[at(v)], source);  // may underflow
         if (way > most || (farthest == none && path_.x[at(v)] != source)) {

@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// Makes a call, and lists the cells that it changed where that is asked for. `movers` are the vertices whose
-/// positions the call writes: where there is no memory for the list they are put back, and the caller rebuilds.
+/// Makes a call and, if requested, lists the cells that it changed. `movers` are the vertices whose positions the
+/// call writes. When there is no memory for the list, their positions are restored, and the caller rebuilds.
 template <int d>
 template <class Call>
 void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {

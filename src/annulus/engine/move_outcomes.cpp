@@ -13,7 +13,7 @@ void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts
         moves.rebuilt += asked;
         return;
     }
-    if (stamp_ >= Limits::stamps - 3) {  // the sum would wrap before it was compared
+    if (stamp_ >= Limits::stamps - 3) {  // the sum would wrap before it is compared
         std::fill(mark_.begin(), mark_.end(), 0);
         stamp_ = 0;
     }
@@ -25,7 +25,7 @@ void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts
         ++moves.reinserted;
         --left;
     }
-    // Marks the disturbed that are not reinserted; those of them that failed were flipped.
+    // Marks the affected vertices that are not reinserted; those of them that failed were flipped.
     for (const Index v : step.affected)
         if (mark(v) != stamp_) mark(v) = stamp_ + 1;
     for (const Index v : step.failed) {

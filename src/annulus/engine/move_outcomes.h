@@ -8,16 +8,16 @@
 
 namespace annulus {
 
-/// Counts what became of the vertices that were asked to move, each once.
+/// Counts what became of the vertices that were to move, each once.
 template <int d>
 class Move_outcomes {
   public:
     void resize(std::size_t vertices) { grow(mark_, vertices); }
-    /// After a step of `asked` vertices. O(1) and what the step came upon.
+    /// After a step that was to move `asked` vertices. O(1 + what the step found).
     void count(const Step<d>& step, std::size_t asked, Move_counts& moves);
 
   private:
-    std::vector<std::uint32_t> mark_;  // by vertex: stamp_ reinserted, stamp_ + 1 disturbed, in the present step
+    std::vector<std::uint32_t> mark_;  // by vertex: stamp_ reinserted, stamp_ + 1 affected, in the present step
     std::uint32_t stamp_ = 0;
 };
 

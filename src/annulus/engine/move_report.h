@@ -9,13 +9,13 @@
 
 namespace annulus {
 
-/// What became of the vertices a call was asked to move; the last five add up to the first.
+/// What became of the vertices that a call was to move; the last five add up to the first.
 struct Move_counts {
     std::uint64_t asked = 0;
     std::uint64_t within_tolerance = 0;  ///< proved by the tolerance alone (or at rest): nothing was evaluated
     std::uint64_t kept_in_place = 0;     ///< tolerance failed, the certificates were evaluated and hold
     std::uint64_t flipped = 0;           ///< a certificate was violated and flips repaired it
-    std::uint64_t reinserted = 0;        ///< taken out and put back in
+    std::uint64_t reinserted = 0;        ///< removed and inserted again
     std::uint64_t rebuilt = 0;           ///< the triangulation was rebuilt
 
     Move_counts& operator+=(const Move_counts& o) noexcept {
@@ -30,24 +30,25 @@ struct Move_counts {
     friend bool operator==(const Move_counts&, const Move_counts&) = default;
 };
 
-/// What a call of `move`, `move_all`, `insert` or `remove` did.
+/// What a call of `move`, `move_all`, `insert` or `remove` did. Star walks, recomputations of tolerances, cost,
+/// and steps by tolerances or signs are counted by `tolerances`, `tolerances-each`, `auto` and `in-place` alone.
 struct Move_report {
     Move_counts moves;
     Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;        ///< certificates evaluated
-    std::uint64_t star_walks = 0;       ///< filter: failed vertices all of whose certificates had to be looked at
-    std::uint64_t requeued = 0;         ///< tolerances-each: vertices whose reference another vertex's failure renewed
-    std::uint64_t flips = 0;            ///< flips that stand
-    std::uint64_t undone_flips = 0;     ///< flips taken back because they led nowhere
-    std::uint64_t tolerance_steps = 0;  ///< filters: time steps that began with the tolerances
-    std::uint64_t sign_steps = 0;       ///< filters: time steps that began with the signs of all certificates
+    std::uint64_t star_walks = 0;       ///< failed vertices all of whose certificates had to be tested
+    std::uint64_t requeued = 0;         ///< paper: vertices queued because another vertex lowered their tolerance
+    std::uint64_t flips = 0;            ///< flips that were kept
+    std::uint64_t undone_flips = 0;     ///< flips that were undone because they led nowhere
+    std::uint64_t tolerance_steps = 0;  ///< time steps that began with tolerances
+    std::uint64_t sign_steps = 0;       ///< time steps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: time steps that were rebuilt at once
-    std::uint64_t tolerance_recomputations = 0;  ///< filters: times that all tolerances were computed
-    double cost = 0.0;  ///< filters: what it cost, in cells looked at, by costs that were measured (cost_model.h)
-    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices a cell, -1 for
-    /// the one at infinity. No cell is in both (one that was turned over is another one), but where all points are in
-    /// a plane or on a line, before or after: then they are every finite cell there is, and there was (padded with
-    /// -2, `none`).
+    std::uint64_t tolerance_recomputations = 0;  ///< times that all tolerances were computed
+    double cost = 0.0;                           ///< what it cost, in cells tested, by measured costs (cost_model.h)
+    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices per cell, -1 for
+    /// the vertex at infinity. No cell is in both lists (a cell that was turned over is another one), except where
+    /// all points are in a plane or on a line before or after the call: then the lists are every finite cell there is
+    /// and there was (padded with -2, `none`).
     std::vector<Index> changed, gone;
 
     Move_report& operator+=(const Move_report& o) {

@@ -13,7 +13,7 @@
 
 namespace annulus {
 
-/// Two vertices of one position among x[i] with lives(i); -0 and 0 are one position. O(n log n).
+/// Two vertices at one position among x[i] with is_present(i); -0 and 0 are one position. O(n log n).
 template <int d, class Is_present>
 [[nodiscard]] std::optional<std::pair<Index, Index>> coinciding(std::span<const Coordinates<d>> x,
                                                                 Is_present is_present) {
@@ -29,8 +29,8 @@ template <int d, class Is_present>
     return std::pair(*twice, *(twice + 1));
 }
 
-/// A handler of errors of a call that was to bring vertices to `targets`: throws a duplicate point again with the names
-/// of both vertices, which who met it need not have known, and anything else as it is.
+/// Handles an error of a call that was to move vertices to `targets`: rethrows a duplicate point with the names of
+/// both vertices, which the code that found it may not know, and anything else as it is.
 template <int d, class Is_present>
 [[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> targets,
                                         Is_present is_present) {

@@ -12,12 +12,13 @@ namespace annulus {
 enum class Strategy : std::uint8_t {
     rebuild,         ///< from scratch at every call (Builder)
     relocate,        ///< one vertex at a time: remove, locate, insert (the paper's baseline)
-    relocate_flips,  ///< one vertex at a time: only written where that needs no flip, else relocate (paper 3.1)
-    /// One vertex at a time: its certificates are evaluated, and flips where one is violated; no tolerances.
+    relocate_flips,  ///< one vertex at a time: its position is written if no flip is needed, else relocate (paper 3.1)
+    /// One vertex at a time: its certificates are evaluated, and flips repair what is violated; no tolerances.
     in_place,
     tolerances,       ///< whole time steps: only certificates whose tolerance expired are evaluated
     tolerances_each,  ///< one vertex at a time, Delaunay after each
-    /// Whole time steps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, as counts tell.
+    /// Whole time steps, `auto`: the cheapest of tolerances, signs with flips, and rebuilding, judged by counts of
+    /// work.
     automatic,
     paper,         ///< the paper's algorithm (3.2), one vertex at a time: Options::tolerance says by which tolerances
     paper_hybrid,  ///< rebuild until a sample stays within tolerance, then `paper` (paper 4.2)
@@ -41,10 +42,10 @@ enum class Strategy : std::uint8_t {
 [[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
 [[nodiscard]] std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name);
 
-/// What a caller may choose, as one value.
+/// What a caller can choose, as one value.
 struct Options {
     Strategy strategy = Strategy::automatic;
-    /// Others with `paper` and `paper_hybrid` alone, else Error(usage).
+    /// Kinds other than this only with `paper` and `paper_hybrid`, else Error(usage).
     Tolerance_kind tolerance = Tolerance_kind::certified;
     int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error

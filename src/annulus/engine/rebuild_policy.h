@@ -10,37 +10,39 @@
 
 namespace annulus {
 
-/// Whether `auto` rebuilds a time step or repairs it: by what a few cells say before, what repair cost, and how it
-/// ended. No clock has a say in it, nor has it one in what is right.
+/// Decides whether `auto` rebuilds or repairs a time step: by a sample of cells before it, by what repair cost, and
+/// by how it ended. No clock is read, and correctness does not depend on the decision.
 template <int d>
 class Rebuild_policy {
   public:
     [[nodiscard]] static double rebuild_cost(std::size_t vertices) {
         return Cost_model<d>::rebuild * static_cast<double>(vertices);
     }
-    /// What repair may cost before it gives up.
+    /// The cost at which repair gives up.
     [[nodiscard]] static double repair_limit(std::size_t vertices) { return share() * static_cast<double>(vertices); }
-    /// The same where no step is promised to cost so little: a few vertices are not rebuilt because they are few.
+    /// The same for steps that are not promised to cost so little: a small mesh is not rebuilt only because it is
+    /// small.
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 4000.0 + repair_limit(vertices); }
 
-    /// What may be done to a part before all is rebuilt instead.
+    /// The cost at which work on a part gives up and everything is rebuilt instead.
     [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 4000.0 + rebuild_cost(vertices); }
-    /// Of vertices that move one by one, `done` of them at a cost so far: whether all `movers` are going to cost
-    /// more than a rebuild, by what these did. Not before they have cost a part of one, so that they tell something.
+    /// For vertices that move one by one, `done` of them at this cost so far: whether all `movers` are going to cost
+    /// more than a rebuild, judging by these. False until they have cost an eighth of a rebuild, so that they are
+    /// evidence.
     [[nodiscard]] static bool exceeds_rebuild_one_by_one(double cost, std::size_t done, std::size_t movers,
                                                          std::size_t vertices) {
         const double rebuild = rebuild_cost(vertices);
         return cost > rebuild / 8.0 && cost / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
     }
-    /// The same where a strategy goes one by one: more than such moves cost where what they change is local, and a
-    /// rebuild.
+    /// The same for a strategy that moves vertices one by one: whether they have cost more than a rebuild plus what
+    /// such moves cost where their changes are local.
     [[nodiscard]] static bool exceeds_rebuild_in_sequence(double cost, std::size_t done, std::size_t vertices) {
         return cost > generous_rebuild_limit(vertices) + 4.0 * Cost_model<d>::reinsertion * static_cast<double>(done);
     }
 
-    /// While every step is a rebuild: no need to ask a larger sample, nor to count how often it was asked.
+    /// While every step is a rebuild: whether a larger sample is pointless, and this one need not be counted either.
     [[nodiscard]] bool is_clearly_infeasible(const Sample& few) const { return cost_of(few) > 3.0 * share(); }
-    /// While every step is a rebuild: whether the next is to be repaired, as far as these cells tell.
+    /// While every step is a rebuild: whether the next one is to be repaired, judging by these cells.
     [[nodiscard]] bool repairs(const Sample& sample) {
         const double cost = cost_of(sample);
         const bool calmer = cost < 0.4 * gave_up_at_;
@@ -57,7 +59,7 @@ class Rebuild_policy {
         backoff_ = std::max(backoff_ / 2, std::uint32_t{1});
         tried_ = 0.0;
     }
-    /// Repair gave up: it is not tried again for a while, the longer the oftener that happens, unless the motion
+    /// Repair gave up: it is not tried again for a while, longer the more often this happens, unless the motion
     /// becomes calmer.
     void gave_up() {
         gave_up_at_ = tried_;
@@ -65,8 +67,8 @@ class Rebuild_policy {
         backoff_ = std::min(2 * backoff_, longest_wait);
     }
 
-    /// That, a vertex: as much as a rebuild, so that with the one that follows no step costs more than twice what was
-    /// the best (the ski-rental rule), which is less than one and a half insertions of all points.
+    /// The repair limit per vertex: as much as a rebuild, so that with the rebuild that follows no step costs more
+    /// than twice the best choice (the ski-rental rule), which is less than one and a half insertions of all points.
     static constexpr double share() { return Cost_model<d>::rebuild - (Cost_model<d>::signs - Cost_model<d>::cells); }
     static_assert(share() + Cost_model<d>::rebuild + (Cost_model<d>::signs - Cost_model<d>::cells) <
                   1.45 * Cost_model<d>::insertion);
@@ -74,7 +76,7 @@ class Rebuild_policy {
   private:
     static constexpr std::uint32_t longest_wait = 64;
 
-    /// A vertex, of repair.
+    /// The cost of repair, per vertex.
     [[nodiscard]] static double cost_of(const Sample& sample) {
         if (sample.cells == 0) return 0.0;
         const double more = Cost_model<d>::violated * 0.5 * static_cast<double>(sample.violated) +

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// The strategy `rebuild`: positions, and a mesh that is rebuilt at every call. What changes the mesh in other ways
-/// and keeps nothing but positions derives from it.
+/// The strategy `rebuild`: keeps positions, and rebuilds the mesh at every call. Base of the strategies that change
+/// the mesh in other ways and keep nothing but positions.
 template <int d>
 class Rebuild_strategy : public Update_strategy<d> {
   public:

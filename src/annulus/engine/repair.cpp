@@ -56,7 +56,7 @@ bool Repair<d>::border_holds(Step<d>& step, bool many, bool by_signs) {
     return holds;
 }
 
-/// Hands what does not hold over to Flip_repair.
+/// Passes what does not hold to Flip_repair.
 template <int d>
 void Repair<d>::collect_violated(Step<d>& step) {
     for (const auto& s : checker_.cells()) {
@@ -82,11 +82,12 @@ template <int d>
 bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     Budget& budget = step.budget;
     const double cost = reinsertion_cost(step.mover);
-    // Where many of its cells turn over, holding back and flips cost more than that, and lead nowhere half of the time.
+    // Where many of its cells are inverted, holding back and flips cost more than reinsertion, and lead nowhere half of
+    // the time.
     constexpr double share = d == 2 ? 0.3 : 0.5;
     const bool far = Cost_model<d>::inverted * static_cast<double>(turned_over(step)) > share * cost;
     if (!far) {
-        // Otherwise reinsertion meets the other vertex, or the rebuild does.
+        // Otherwise reinsertion finds the other vertex, or the rebuild does.
         if (is_occupied(step)) throw Error(Error_code::duplicate_point, "another vertex is at that position");
         const double limit =
             std::exchange(budget.limit, std::min(budget.limit, budget.spent + Cost_model<d>::reinsertion));
@@ -104,7 +105,7 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     return false;
 }
 
-/// The cells of the mover that are inverted where it went, as far as was looked.
+/// The number of cells of the mover that are inverted at its target, as far as they were tested.
 template <int d>
 std::size_t Repair<d>::turned_over(const Step<d>& step) {
     if (step.scope != Scope::expired) return signs_.inverted().size();
@@ -112,8 +113,8 @@ std::size_t Repair<d>::turned_over(const Step<d>& step) {
                                                   [this](const auto& s) { return checker_.is_violated(s); }));
 }
 
-/// Of taking v out and putting it back in: the gap is filled with the triangulation of its neighbours, which
-/// in 2D takes the square of their number where it goes badly.
+/// The cost of removing v and inserting it again: the cavity is filled with the triangulation of its neighbours,
+/// which in 2D takes the square of their number in bad cases.
 template <int d>
 double Repair<d>::reinsertion_cost(Index v) const {
     constexpr double filled = d == 2 ? 22.5 : 100.0;
@@ -138,7 +139,7 @@ bool Repair<d>::reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coord
     changed.insert(changed.end(), step.renumbered.begin(), step.renumbered.end());
     std::erase_if(changed, gone);
     step.reinserted.assign(1, step.mover);
-    checker_.clear();  // what was evaluated before may have the number of something else by now
+    checker_.clear();  // what was evaluated before may have another certificate's number by now
     // Without tolerances all others are where the mesh is Delaunay, as when a vertex is inserted, and nothing is
     // written down.
     const bool with_tolerances = step.scope == Scope::expired;
@@ -171,12 +172,12 @@ bool Repair<d>::holds_after_flips(Step<d>& step, const Repair_result& result) {
     std::vector<Cell_index> alive;
     std::copy_if(result.touched.begin(), result.touched.end(), std::back_inserter(alive),
                  [&t](Cell_index c) { return t.is_cell(c); });
-    // Even one mover may have passed over a part of the hull that its cells do not touch.
+    // Even a single mover may have passed over a part of the hull that its cells do not touch.
     const bool at_border = std::any_of(alive.begin(), alive.end(), [&t](Cell_index c) { return t.is_infinite(c); });
     const bool many = step.mover == none || at_border;
     if (at_border && result.cells_rebuilt && !border_is_whole(t)) return false;
     if (step.scope != Scope::expired) return border_holds(step, many, true);
-    // Their tolerances are to be paid for too, and what later stages cost is not known before.
+    // Their tolerances cost something, too, and what later stages cost is not known beforehand.
     const std::size_t chunk = std::max(alive.size() / 16, std::size_t{128});
     for (std::span<const Cell_index> left(alive); !left.empty();) {
         const std::size_t facets = checker_.facets().size();
@@ -184,7 +185,7 @@ bool Repair<d>::holds_after_flips(Step<d>& step, const Repair_result& result) {
         checker_.add_cells(left.first(std::min(chunk, left.size())));
         left = left.subspan(std::min(chunk, left.size()));
         if (left.empty()) break;
-        // Those that are new; entries of before that have become stale again come last.
+        // Only the new ones; older entries that have become stale again come last.
         count(step, checker_.evaluate_from(facets, cells));
         if (!step.budget.within_limit()) return false;
     }

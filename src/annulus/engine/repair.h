@@ -11,21 +11,21 @@
 
 namespace annulus {
 
-/// Makes every certificate hold at the targets of a step: evaluates, repairs what is violated (Flip_repair), takes a
-/// vertex that moved alone out and puts it back in; or says that it cannot, and the caller rebuilds. What it finds and
+/// Makes every certificate hold at the targets of a step: it evaluates, repairs what is violated (Flip_repair), and
+/// reinserts a vertex that moved alone. Or it reports that it cannot, and the caller rebuilds. What it finds and
 /// spends is in the step.
 ///
-/// A caller names the certificates that are not known to hold there, to `checker()`, with all others proved. After
-/// `repair_all` or `repair_one` every certificate of the mesh holds, hence it is Delaunay (theory 1), and `checker()`
-/// lists every certificate that was evaluated or created, with its value. Nothing but signs is trusted on the way:
-/// flips are a heuristic that either ends with every certificate positive, or not.
+/// The caller adds the certificates that are not known to hold there to `checker()`; all others are proved. After
+/// `repair_all` or `repair_one` succeeded, every certificate of the mesh holds, hence it is Delaunay (theory 1), and
+/// `checker()` lists every certificate that was evaluated or created, with its value. Only signs are trusted on the
+/// way: flips are a heuristic, which either ends with every certificate positive or fails.
 template <int d>
 class Repair {
   public:
     explicit Repair(Delaunay_mesh<d>& mesh)
         : mesh_(mesh), checker_(mesh.table()), signs_(mesh.table()), flip_repair_(mesh, signs_) {}
 
-    /// For evaluations and signs. Values and counters do not depend on it.
+    /// For evaluations and signs. Values and counters do not depend on the number of threads.
     void set_threads(int threads) {
         checker_.set_threads(threads);
         signs_.set_threads(threads);
@@ -33,7 +33,7 @@ class Repair {
     [[nodiscard]] Certificate_checker<d>& checker() { return checker_; }
     [[nodiscard]] const Certificate_checker<d>& checker() const { return checker_; }
 
-    /// Starts an examination at step.x: nothing is pending, the step has found nothing. The step must outlive it.
+    /// Starts an examination at step.x: nothing is pending and nothing is found yet. The step must outlive it.
     void begin(Step<d>& step);
 
     /// Evaluates what is pending, in one batch. True when all of it holds and the border winds once.
@@ -41,28 +41,29 @@ class Repair {
     /// Signs alone do not exclude a surface that winds several times (a pentagon permuted into a pentagram turns left
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
     /// border turns once (docs/theory.md 1.2). Cells and ridges proved by tolerances keep it turning once, and so
-    /// does a single vertex that leaves its cells positive; so the border is walked, O(hull), only when many moved
-    /// and a cell or ridge had to be evaluated, or when cells with infinity changed. In 3D a ridge, whatever the
-    /// cells, and after flips only when they changed the border.
+    /// does a single vertex that leaves its cells positive. So the border is walked, O(hull), only when many vertices
+    /// moved and a cell or ridge had to be evaluated, or when cells with infinity changed. In 3D only an evaluated
+    /// ridge counts, not a cell, and after flips only if these changed the border.
     [[nodiscard]] bool evaluate(Step<d>& step);
-    /// The same for every certificate of the mesh, none of which need be named, by signs alone: the checker stays
-    /// empty. Gives up, with false, when that exceeds the budget, or repair clearly would; it then refuses to repair.
+    /// The same for every certificate of the mesh, without naming any, by signs alone: the checker stays empty. Gives
+    /// up, with false, when the cost exceeds the budget or repair clearly would; then it refuses to repair.
     [[nodiscard]] bool evaluate_everything(Step<d>& step);
-    /// The same for every certificate that contains the mover of the step, without regard to the budget.
+    /// The same for every certificate that contains the mover of the step, regardless of the budget.
     [[nodiscard]] bool evaluate_star(Step<d>& step);
 
-    /// Repairs after `evaluate` or one of its kind returned false. False: it exceeded the budget or led nowhere; then
-    /// the table is of no use any more, and all is to be rebuilt at the targets. `old` has the positions of before.
+    /// Repairs after `evaluate` or one of its variants returned false. False: it exceeded the budget or led nowhere;
+    /// then the table is of no use any more, and everything is to be rebuilt at the targets. `old` are the previous
+    /// positions.
     [[nodiscard]] bool repair_all(Step<d>& step, std::span<const Coordinates<d>> old);
-    /// The same after the mover of the step moved, from step.source. x is step.x, and changes for a while. Throws
-    /// Error(duplicate_point), with nothing changed but numbers of cells (step.renumbered), when another vertex is
-    /// where it goes. Where flips would be more expensive, it is taken out and put back in.
+    /// The same after the mover of the step moved from step.source. x is step.x, and changes meanwhile. Throws
+    /// Error(duplicate_point), with nothing changed but numbers of cells (step.renumbered), when another vertex is at
+    /// its target. Where flips would be more expensive, it is removed and inserted again.
     [[nodiscard]] bool repair_one(Step<d>& step, std::span<Coordinates<d>> x);
 
   private:
     void collect_violated(Step<d>& step);
     [[nodiscard]] bool signs_hold(Step<d>& step, double most);
-    /// `by_signs`: certificates were looked at that the checker does not list.
+    /// `by_signs`: certificates were tested that the checker does not list.
     [[nodiscard]] bool border_holds(Step<d>& step, bool many, bool by_signs);
     [[nodiscard]] bool repair(Step<d>& step, const Motion_path<d>& path);
     [[nodiscard]] bool holds_after_flips(Step<d>& step, const Repair_result& result);

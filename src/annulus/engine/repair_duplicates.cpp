@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a vertex would come to another one's position.
+// Whether a vertex would come to the position of another one.
 #include <annulus/engine/repair.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-// They do not underflow.
+// These distances do not underflow.
 double distance(const Coordinates<2>& a, const Coordinates<2>& b) {
     const auto [x, y] = Euclidean<2>::difference(a, b);
     return std::hypot(x, y);
@@ -22,9 +22,9 @@ double distance(const Coordinates<3>& a, const Coordinates<3>& b) {
 
 }  // namespace
 
-/// Whether another vertex is where the mover goes, its cells still being those of where it was. From neighbour to
-/// neighbour, always nearer: in a Delaunay triangulation that ends at the nearest vertex. What rounding misses is found
-/// by the rebuild that follows when nothing else helps.
+/// Whether another vertex is at the target of the mover, whose cells are still those of its source. Walks from
+/// neighbour to neighbour, always nearer: in a Delaunay triangulation this ends at the nearest vertex. What rounding
+/// misses is found by the rebuild that follows when nothing else helps.
 template <int d>
 bool Repair<d>::is_occupied(Step<d>& step) {
     const Index v = step.mover;

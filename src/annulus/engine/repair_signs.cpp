@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs alone: for when tolerances would not last.
+// Signs alone, for motions under which tolerances would not last.
 #include <annulus/engine/repair.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace annulus {
 template <int d>
 bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
-    // So far beyond what it may cost that asking all of them would only make it more expensive.
+    // So far above the limit, evaluating all of them would only add to the cost.
     constexpr double margin = 1.5;
     step.infeasible = std::isfinite(most) && step.budget.spent + signs_.estimate() > margin * most;
     if (step.infeasible) {

@@ -8,16 +8,17 @@
 
 namespace annulus {
 
-/// What the filter stage says of some cells and their facets at positions to which the triangulation may not belong.
+/// What the filter stage finds in some cells and their facets, at positions to which the triangulation may not
+/// belong.
 struct Sample {
-    std::size_t cells = 0;     ///< looked at
+    std::size_t cells = 0;     ///< tested
     std::size_t inverted = 0;  ///< of these
     std::size_t facets = 0;
     std::size_t violated = 0;
-    std::size_t unclear = 0;  ///< cells and facets of which it cannot tell
+    std::size_t unclear = 0;  ///< cells and facets that the filter stage cannot decide
 };
 
-/// Looks at a cell of some `count` vertices, at x. Facets of an inverted cell say nothing. O(count).
+/// Tests one cell each of about `count` vertices, at x. The facets of an inverted cell are not counted. O(count).
 template <int d>
 [[nodiscard]] Sample sample_cells(const Corner_table<d>& t, std::span<const Coordinates<d>> x, std::size_t count);
 

@@ -34,7 +34,7 @@ void Sign_evaluator<d>::begin(std::span<const Coordinates<d>> x, Budget& budget)
     decided_ = {};
 }
 
-/// Some points are enough, because all that is asked of the middle is to be inside.
+/// Some of the points are enough: the middle only has to be inside.
 template <int d>
 void Sign_evaluator<d>::find_middle() {
     Coordinates<d>& middle = middle_.emplace();
@@ -67,7 +67,7 @@ int Sign_evaluator<d>::sign(const Cell_sites<d>& x) {
     return at_infinity ? -sign : sign;
 }
 
-/// Counts what the filter stage answered.
+/// Counts a sign that the filter stage decided; false if it did not.
 template <int d>
 bool Sign_evaluator<d>::clearly(int sign) {
     if (sign == 0) return false;
@@ -76,7 +76,7 @@ bool Sign_evaluator<d>::clearly(int sign) {
     return true;
 }
 
-/// Of the bi-cell at half-facet h, by the filter stage: 0 where the next stage has to tell.
+/// The sign of the bi-cell at half-facet h, by the filter stage: 0 when the next stage has to decide.
 template <int d>
 [[gnu::flatten]] int Sign_evaluator<d>::sphere_sign(Corner_index h) {
     const Cell_sites<d> v = cell_sites(table_, table_.cell_of(h));
@@ -109,9 +109,9 @@ bool Sign_evaluator<d>::is_violated(Corner_index f) {
     return perturbed_sign(x) < 0;
 }
 
-/// Every facet is asked from both sides if both are looked at, because which side is to ask would be a branch that no
-/// processor predicts, more expensive than the answer. Flattened: a call between two halves of a formula would spill
-/// every register.
+/// If both cells of a facet are tested, it is tested from both sides: choosing one side would be a branch that no
+/// processor predicts, more expensive than the test. Flattened, because a call between two halves of a formula would
+/// spill every register.
 template <int d>
 [[gnu::flatten]] void Sign_evaluator<d>::test_cell(Cell_index c, bool border, Found& found) const {
     const auto& t = table_;
@@ -128,7 +128,7 @@ template <int d>
     [&]<std::size_t... i>(std::index_sequence<i...>) {
         const Circumsphere<d> sphere(x_[at(v[i].vertex)]...);
         const Cell_sites<d> opposite{t.opposite(t.corner(c, static_cast<int>(i)))...};
-        // At infinity a corner stands in, of which nothing can be said.
+        // A corner of the cell stands in for infinity; nothing can be said of it.
         const auto beyond = [&](std::size_t k) -> const Coordinates<d>& {
             return x_[at(opposite[k].vertex == infinite ? v[0].vertex : opposite[k].vertex)];
         };
@@ -160,13 +160,13 @@ void Sign_evaluator<d>::take(const Found& found) {
 
 template <int d>
 void Sign_evaluator<d>::test_all_cells() {
-    constexpr std::size_t run = 1U << 14;  // whatever the number of threads
+    constexpr std::size_t run = 1U << 14;  // the same for every number of threads
     const std::size_t cells = table_.cell_bound().offset();
     std::vector<Found> found((cells + run - 1) / run);
     for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
         Found& here = found[first / run];
-        // The positions of a cell's neighbours are three loads away, each of which waits for the one before: begun
-        // for some cells ahead.
+        // The positions of a cell's neighbours are three dependent loads away, so they are prefetched for some cells
+        // ahead.
         constexpr Index ahead = 16;
         const Index end = static_cast<Index>(last);
         for (Index begin = static_cast<Index>(first); begin < end; begin += ahead) {
@@ -180,8 +180,8 @@ void Sign_evaluator<d>::test_all_cells() {
         }
     });
     for (const Found& here : found) take(here);
-    // What does not hold is mostly seen from both sides. Comparing it would cost a step that is given up more than
-    // all else.
+    // A facet that does not hold is mostly found from both sides. Sorting out duplicates by comparison would be the
+    // greatest cost of a step that is given up.
     sort_unique(found_.violated, table_.facet_bound());
 }
 
@@ -200,7 +200,7 @@ double Sign_evaluator<d>::estimate() {
         return asked == 0 ? 0.0
                           : static_cast<double>(list.size()) * static_cast<double>(failed) / static_cast<double>(asked);
     };
-    const auto folded = [this](Cell_index c) {
+    const auto inverted = [this](Cell_index c) {
         budget_->charge(Cost_model<d>::filter);
         return !table_.is_infinite(c) && orientation_sign(tuple<d, d + 1>(cell_sites(table_, c), x_)) < 0;
     };
@@ -208,7 +208,7 @@ double Sign_evaluator<d>::estimate() {
         budget_->charge(Cost_model<d>::filter);
         return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
     };
-    return Cost_model<d>::inverted * failing(found_.inverted, folded) +
+    return Cost_model<d>::inverted * failing(found_.inverted, inverted) +
            Cost_model<d>::violated * failing(found_.violated, crossed);
 }
 

@@ -14,51 +14,52 @@
 
 namespace annulus {
 
-/// Which certificates hold at given positions, by signs alone: one circumsphere a cell, asked for the cell and its
-/// facets, and exact signs where that is not clear.
+/// Tests which certificates hold at given positions, by signs alone: one circumsphere per cell, tested for the cell
+/// and its facets, and exact signs where this is not clear.
 ///
-/// What is not clear of the cells looked at is on two lists, in which an entry may occur twice, or be gone;
-/// is_inverted and is_violated tell. Positions may change between calls; then what contains the vertex has to be
-/// looked at again.
+/// What is not clear in the tested cells is on two lists. An entry may occur twice, or be gone; is_inverted and
+/// is_violated decide. Positions may change between calls; then the cells that contain the vertex must be tested
+/// again.
 template <int d>
 class Sign_evaluator {
   public:
     explicit Sign_evaluator(const Corner_table<d>& table) : table_(table) {}
 
-    /// For test_all_cells(). What it finds does not depend on it.
+    /// For test_all_cells(). Its findings do not depend on the number of threads.
     void set_threads(int threads) { threads_ = threads; }
 
-    /// Starts at positions x. These and the budget, which is charged with what is asked, must outlive the
-    /// examination. O(1).
+    /// Starts at positions x. They and the budget, which is charged for every test, must outlive the examination.
+    /// O(1).
     void begin(std::span<const Coordinates<d>> x, Budget& budget);
 
     /// The same positions, elsewhere in memory.
     void rebind(std::span<const Coordinates<d>> x) { x_ = x; }
 
-    /// The cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the middle.
+    /// Tests the cell c and its facets; of an infinite cell the ridges, and with `border` whether it faces the
+    /// middle.
     void test_cell(Cell_index c, bool border) {
         budget_->charge(Cost_model<d>::alone);
         test_cell(c, border, found_);
     }
-    /// Every cell.
+    /// Tests every cell.
     void test_all_cells();
-    /// Every certificate that contains v.
+    /// Tests every certificate that contains v.
     void test_star(Index v, bool border);
 
-    /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: that is a
-    /// hint, no certificate.
+    /// Exact. A cell with infinity is inverted when its facet faces away from the middle of the points: a hint, not a
+    /// certificate.
     [[nodiscard]] bool is_inverted(Cell_index c) { return sign(cell_sites(table_, c)) <= 0; }
-    /// Exact; what is degenerate is decided by the perturbation, once its cells are positive.
+    /// Exact; a degenerate certificate is decided by the symbolic perturbation, once its cells are positive.
     [[nodiscard]] bool is_violated(Corner_index f);
     /// Exact sign of a cell with these vertices; infinity allowed.
     [[nodiscard]] int sign(const Cell_sites<d>& x);
 
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
-    /// About what it will cost at least to repair what is on the lists: by a sample, of which the filter stage is asked
-    /// what clearly fails.
+    /// An estimate of the least cost of repairing what is on the lists: the filter stage counts, in a sample, what
+    /// clearly fails.
     [[nodiscard]] double estimate();
-    /// What was asked since begin(), or since this was called last, by stage.
+    /// How many signs each stage decided since begin(), or since the last call of this.
     [[nodiscard]] Stage_counts take_counts() {
         Stage_counts all = std::exchange(decided_, {});
         all.filter += found_.clear_halves / 2;
@@ -69,7 +70,7 @@ class Sign_evaluator {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] const Coordinates<d>* position(Index v) const { return v == infinite ? &*middle_ : &x_[at(v)]; }
-    /// What was seen of some cells.
+    /// What was found in some cells.
     struct Found {
         std::vector<Cell_index> inverted;
         std::vector<Corner_index> violated;
@@ -85,7 +86,7 @@ class Sign_evaluator {
 
     const Corner_table<d>& table_;
     std::span<const Coordinates<d>> x_;
-    std::optional<Coordinates<d>> middle_;  // of some of the points
+    std::optional<Coordinates<d>> middle_;  // the mean of some of the points
     Found found_;
     int threads_ = 1;
     Stage_counts decided_;

@@ -14,19 +14,19 @@
 
 namespace annulus {
 
-/// Which certificates a step evaluates: those that expired; without tolerances all those of the vertex that moves, or
-/// all.
+/// Which certificates a step evaluates: those that expired; or, without tolerances, all those of the vertex that
+/// moves, or all.
 enum class Scope : std::uint8_t { expired, star, everything };
 
-/// A cache line, or one and a half: around a vertex are 12 certificates in 2D, 80 in 3D.
+/// One or one and a half cache lines: a vertex has 12 certificates in 2D, 80 in 3D.
 template <int d>
 using Vertex_expiries = Expiry_list<Limits::listed(d)>;
 
-/// A step on its way: where vertices go, what it may cost, and what each stage found and the next is handed: which
-/// vertices left their tolerances, what was violated and repaired, what is to be written down. An exception drops it.
+/// A step in progress: where vertices go, what it may cost, and what each stage hands to the next: which vertices
+/// left their tolerances, what was violated and repaired, what is to be written down. An exception drops it.
 template <int d>
 struct Step {
-    /// What a vertex was before its path length was read.
+    /// The state of a vertex before it is anchored.
     struct Before {
         Vertex_record<d> record;
         Vertex_expiries<d> list;
@@ -34,24 +34,24 @@ struct Step {
 
     std::span<const Coordinates<d>> x;  ///< targets, by vertex
     Index mover = none;                 ///< the vertex that moves alone
-    Coordinates<d> source{};            ///< where that was
+    Coordinates<d> source{};            ///< where it was
     Scope scope = Scope::expired;
     std::vector<Index> failed;     ///< those that left their tolerances; without tolerances those that move
     std::vector<Before> before;    ///< of these
-    std::vector<Index> anchored;   ///< their fixed position is the target by now
-    std::uint64_t star_walks = 0;  ///< vertices all of whose certificates were looked at
-    Budget budget;                 ///< of all that the step does
+    std::vector<Index> anchored;   ///< vertices whose fixed position is the target by now
+    std::uint64_t star_walks = 0;  ///< vertices all of whose certificates were tested
+    Budget budget;                 ///< for everything that the step does
     Move_report report;            ///< what was evaluated and flipped
 
     // What Repair found and did.
-    bool infeasible = false;             ///< repair would cost far more than it may, by a sample
+    bool infeasible = false;             ///< repair would cost far more than it may, judging by a sample
     std::vector<Index> affected;         ///< points of violated certificates
     std::vector<Index> reinserted;       ///< vertices around which cells were rebuilt
-    std::vector<Cell_index> renumbered;  ///< the same cells as before a duplicate point was found, with other numbers
+    std::vector<Cell_index> renumbered;  ///< as before a duplicate point was found, but with other numbers
     bool rebuilt = false;
     bool renumbered_all = false;  ///< the same of all cells
 
-    /// These were asked: certificates or signs.
+    /// These certificates or signs were evaluated.
     void count(const Stage_counts& counts) {
         report.evaluated += counts.total();
         report.arithmetic += counts;
@@ -65,7 +65,7 @@ struct Step {
         renumbered.clear();
     }
 
-    /// As new, with the memory of a step that is over.
+    /// A fresh step that reuses the memory of a finished one.
     static Step recycled(Step& over, std::span<const Coordinates<d>> x, Index mover, Scope scope) {
         Step step = std::move(over);
         step.x = x;

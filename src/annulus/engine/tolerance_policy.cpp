@@ -10,18 +10,18 @@
 namespace annulus {
 
 namespace {
-constexpr std::uint64_t check_interval = 8;  // time steps without tolerances, between looks whether they would pay
+constexpr std::uint64_t check_interval = 8;  // time steps without tolerances, between checks whether they would pay
 }  // namespace
 
-/// So many failed, in this step and before, that with the signs of all certificates instead a recomputation of
-/// tolerances would have been paid for.
+/// So many vertices failed, in this step and before, that using the signs of all certificates instead would have paid
+/// for a recomputation of tolerances.
 template <int d>
 bool Tolerance_policy<d>::exceeds_budget(std::size_t failures, std::size_t vertices) const {
     return excess_cost_ + Cost_model<d>::failure * static_cast<double>(failures) >
            (Cost_model<d>::recomputation + Cost_model<d>::signs) * static_cast<double>(vertices);
 }
 
-/// Savings are not put aside.
+/// Savings are not carried over.
 template <int d>
 bool Tolerance_policy<d>::end_step_with_tolerances(bool each, std::size_t vertices) {
     const double cost = Cost_model<d>::failure * static_cast<double>(failures_) +
@@ -43,8 +43,8 @@ void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) displacement_[v][k] = to[v][k] - from[v][k];
 }
 
-/// The share of the certificates that would expire at a step like this one, by a sample of facets: one of tolerance s
-/// expires after s / max |u| steps.
+/// The fraction of the certificates that would expire at a step like this one, by a sample of facets: a certificate
+/// of tolerance s expires after s / max |u| steps.
 template <int d>
 double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
                                      std::span<const Coordinates<d>> x, Move_report& report) const {
@@ -79,7 +79,7 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
     double share = 0.0;
     try {
         share = estimate(table, checker, x, report);
-    } catch (const std::bad_alloc&) {  // the time step has been made, and this has no say in what is right
+    } catch (const std::bad_alloc&) {  // the time step has been made; correctness does not depend on this
         release(displacement_);
         return;
     }
@@ -89,15 +89,15 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
     release(displacement_);
 }
 
-/// Signs around one vertex cost a thousandth of recomputation of tolerances, which then pays for those to come (the
-/// ski-rental rule). Moves that flips had to repair, or more, do not count: no tolerance lets them pass.
+/// The signs around one vertex cost a thousandth of a recomputation of tolerances, which then pays for the moves to
+/// come (the ski-rental rule). Moves that needed flips, or more, do not count: no tolerance lets them pass.
 template <int d>
 bool Tolerance_policy<d>::recomputes_for_single_move(std::size_t vertices) const {
     constexpr std::uint64_t share = 64;
     return share * (calm_moves_ + 1) > vertices;
 }
 
-/// What they cost above what signs would have, as for time steps.
+/// Adds up what tolerances cost in excess of signs, as for time steps.
 template <int d>
 bool Tolerance_policy<d>::end_single_move(std::size_t vertices) {
     const double cost = Cost_model<d>::failure * static_cast<double>(failures_) +

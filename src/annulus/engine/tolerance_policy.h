@@ -12,14 +12,14 @@
 
 namespace annulus {
 
-/// Whether `tolerances` keeps tolerances, or asks for signs alone: by what steps cost and what a sample promises, in
-/// cells looked at (cost_model.h). Nothing here has a say in what is right.
+/// Decides whether `tolerances` keeps tolerances or evaluates signs alone, by what steps cost and what a sample
+/// predicts, in cells tested (cost_model.h). Correctness does not depend on the decision.
 ///
 /// While so many certificates expire at every step (the first steps of an optimisation) that the signs of all of them
-/// cost less than the tolerances of these, tolerances are not kept at all. What they cost above what signs would have
-/// is added up; when that has come to what recomputing all tolerances costs they are given up (the ski-rental rule).
-/// Without them every eighth time step a sample of certificates, and the displacements of that time step, tell whether
-/// they would last.
+/// cost less than the tolerances of these, no tolerances are kept. The cost of tolerances in excess of that of signs
+/// is added up; when it reaches the cost of recomputing all tolerances, they are given up (the ski-rental rule).
+/// Without them, a sample of certificates and the displacements of every eighth time step tell whether they would
+/// last.
 template <int d>
 class Tolerance_policy {
   public:
@@ -33,23 +33,23 @@ class Tolerance_policy {
     /// The end of a time step with tolerances; `each` when its vertices moved one by one. True when they are to be
     /// given up.
     [[nodiscard]] bool end_step_with_tolerances(bool each, std::size_t vertices);
-    /// Of one without.
+    /// The end of a time step without tolerances.
     void note_step_without_tolerances() { ++steps_without_; }
 
-    /// Without tolerances: notes how far vertices go, if it is time to look.
+    /// Without tolerances: records the displacements of the vertices, if it is time to check.
     void note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                             std::span<const Coordinates<d>> to);
     void forget_displacements() { displacement_.clear(); }
-    /// Decides by these displacements whether to recompute tolerances next; asks `checker` for a sample of tolerances
+    /// Decides by these displacements whether to recompute tolerances next; uses `checker` for a sample of tolerances
     /// at x.
     void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
                     bool each, Move_report& report);
-    /// Whether tolerances would last, as the last time step was; once.
+    /// Whether tolerances would last, judging by the last time step; true once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
-    /// A vertex moves alone without tolerances: whether to recompute tolerances for it and those to come.
+    /// A vertex moves alone without tolerances: whether to recompute tolerances for it and for those to come.
     [[nodiscard]] bool recomputes_for_single_move(std::size_t vertices) const;
-    /// After that: `calm` when everything held where it went, as it has to within a tolerance.
+    /// After that: `calm` when everything held at its target, as it must within a tolerance.
     void note_single_move(bool calm) { calm_moves_ += calm ? 1 : 0; }
     /// A vertex moved alone, with tolerances: whether they have to be given up.
     [[nodiscard]] bool end_single_move(std::size_t vertices);
@@ -61,12 +61,12 @@ class Tolerance_policy {
     [[nodiscard]] double estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
                                   std::span<const Coordinates<d>> x, Move_report& report) const;
 
-    std::vector<Coordinates<d>> displacement_;  // while it is considered whether tolerances would last
-    std::uint64_t failures_ = 0;                // with tolerances, of this time step
-    std::uint64_t evaluated_ = 0;               // certificates, for these
-    double excess_cost_ = 0.0;  // by which tolerances cost more than signs since the last recomputation of tolerances
-    std::uint64_t steps_without_ = 0;  // time steps since they were given up
-    std::uint64_t calm_moves_ = 0;     // since then, of vertices alone
+    std::vector<Coordinates<d>> displacement_;  // recorded to check whether tolerances would last
+    std::uint64_t failures_ = 0;                // with tolerances, in this time step
+    std::uint64_t evaluated_ = 0;               // certificates, for these failures
+    double excess_cost_ = 0.0;                  // of tolerances, above that of signs, since the last recomputation
+    std::uint64_t steps_without_ = 0;           // time steps since tolerances were given up
+    std::uint64_t calm_moves_ = 0;              // of single vertices, since then
     bool recomputes_next_ = false;
 };
 

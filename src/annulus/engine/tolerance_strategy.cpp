@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step of `tolerances`: who failed, what became of it.
+// A step of `tolerances`: which vertices failed, and what became of them.
 #include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/domain.h>
@@ -12,8 +12,8 @@
 
 namespace annulus {
 
-/// Of vertices [first, last): those that left their tolerances, or, without tolerances, that move. False when a
-/// coordinate is outside the domain, be it at a free index.
+/// Of vertices [first, last): those that left their tolerances or, without tolerances, those that move. False when a
+/// coordinate is outside the domain, even at a free index.
 template <int d>
 bool Tolerance_strategy<d>::find_failed(Step<d>& step, std::size_t first, std::size_t last,
                                         std::vector<Index>& failed) const {
@@ -43,14 +43,14 @@ bool Tolerance_strategy<d>::find_failed(Step<d>& step) const {
     return std::find(near.begin(), near.end(), 0) == near.end();
 }
 
-/// What stands at a free index does not count.
+/// Positions at free indices do not count.
 template <int d>
 void Tolerance_strategy<d>::require_domain(std::span<const Coordinates<d>> x) const {
     for (std::size_t v = 0; v < x.size(); ++v)
         if (is_present(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
 }
 
-/// Whether looking for what expired would already cost a good part of what repair may.
+/// Whether finding what expired would already cost a good part of what repair may cost.
 template <int d>
 bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
     return tolerance_policy_.exceeds_budget(step.failed.size(), mesh_.vertices()) ||
@@ -142,7 +142,7 @@ void Tolerance_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_rep
 }
 
 /// Whether everything holds. When so many certificates have expired that their tolerances would cost more than repair
-/// may, signs are asked instead.
+/// may, signs are evaluated instead.
 template <int d>
 bool Tolerance_strategy<d>::examine(Step<d>& step) {
     repair_.begin(step);
@@ -159,8 +159,8 @@ bool Tolerance_strategy<d>::examine(Step<d>& step) {
     return repair_.evaluate_everything(step);
 }
 
-/// Examines, repairs and commits. Positions are written last,
-/// so that a handler of an exception can rebuild at them; a duplicate point is met before anything is committed.
+/// Examines, repairs and commits. Positions are written last, so that a handler of an exception can rebuild at the
+/// previous ones; a duplicate point is found before anything is committed.
 template <int d>
 template <class Repair_call>
 void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_report& report) {
@@ -197,7 +197,7 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }
 
-/// After a duplicate point, when cells have other numbers than those that records name.
+/// After a duplicate point, when cells have other numbers than those in the records.
 template <int d>
 void Tolerance_strategy<d>::renew_renumbered(const Step<d>& step) {
     Move_report discarded;

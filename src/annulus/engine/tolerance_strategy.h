@@ -17,18 +17,19 @@ namespace annulus {
 
 /// The strategies that repair the mesh: `tolerances`, `auto`, `tolerances-each`, `in-place`.
 ///
-/// A step goes from where vertices go to what is written down: who left its tolerance and which certificates expired
-/// (Displacement_budget), or else all of them, or all of one vertex; their values, flips and holding back (Repair);
-/// new expiries (Displacement_budget again). What one stage finds reaches the next in a Step. Whether tolerances are
-/// kept is Tolerance_policy's to say, whether a time step is rebuilt Rebuild_policy's.
+/// A step starts with the new positions. It finds the vertices that left their tolerances and the certificates that
+/// expired (Displacement_budget); without tolerances it takes all certificates, or all those of one vertex. It
+/// evaluates them, flips, and holds vertices back (Repair). At last it writes the new expiries (Displacement_budget
+/// again). What one stage finds is passed to the next in a Step. Tolerance_policy decides whether tolerances are
+/// kept, Rebuild_policy whether a time step is rebuilt.
 template <int d>
 class Tolerance_strategy final : public Update_strategy<d> {
   public:
-    /// By what means.
+    /// How a step is made.
     enum class Means : std::uint8_t {
-        tolerances,  ///< while they pay; signs else
-        any,         ///< time steps are rebuilt while that is the cheapest: `auto`
-        signs,       ///< of all certificates of what moves, never tolerances: `in-place`
+        tolerances,  ///< while they pay; otherwise signs
+        any,         ///< also rebuilds, while these are the cheapest: `auto`
+        signs,       ///< of all certificates of what moves; never tolerances: `in-place`
     };
     /// Precondition: one of these four.
     explicit Tolerance_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::tolerances)
@@ -41,29 +42,31 @@ class Tolerance_strategy final : public Update_strategy<d> {
           repair_(mesh),
           displacement_budget_(table_) {}
 
-    /// For the step test, evaluations and signs. Nothing that is found or counted depends on it.
+    /// For the step test, evaluations and signs. Results and counts do not depend on the number of threads.
     void set_threads(int threads) {
         threads_ = threads;
         repair_.set_threads(threads);
     }
 
-    /// Takes the present triangulation and positions x as given and Delaunay; every certificate is evaluated afresh.
-    /// When it throws (bad_alloc), no position was written. O(n).
+    /// Takes the present triangulation and positions x as they are, as Delaunay, and evaluates every certificate
+    /// again. When it throws (bad_alloc), no position was written. O(n).
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
-    /// The same; without tolerances nothing is evaluated: the first time steps tell whether that pays.
+    /// The same; without tolerances nothing is evaluated: the first time steps tell whether tolerances pay.
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override;
     void refresh_rebuilt(Move_report& report) override {
         if (!rebuilding_) refresh_all(report);
     }
 
-    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or duplicate_point
-    /// when two would coincide. Anything else that is thrown (bad_alloc, Error(too_large)) leaves positions() as they
-    /// were and all else unspecified: rebuild there and recompute tolerances. Precondition: begun in dimension d.
+    /// Moves every vertex to x. Throws Error, with everything as it was: not_finite, out_of_domain, or
+    /// duplicate_point when two would coincide. After any other exception (bad_alloc, Error(too_large)) positions()
+    /// are as they were and all else is unspecified: rebuild there and recompute tolerances. Precondition: begun in
+    /// dimension d.
     void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
 
-    /// While so many vertices fail that the signs around a vertex cost less than its tolerances, without tolerances.
+    /// While so many vertices fail that the signs around a vertex cost less than its tolerances, no tolerances are
+    /// kept.
     void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move_sequentially(Index v, const Coordinates<d>& p, Move_report& report) override { move_one(v, p, report); }
     void commit_transaction(Move_report& report) override;
@@ -72,7 +75,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     /// Evaluates the certificates of these cells.
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
-    /// The vertex takes position p as moving and fixed position.
+    /// Vertex v has position p, moving and fixed.
     void add_vertex(Index v, const Coordinates<d>& p) override;
     void restore_position(Index v, const Coordinates<d>& p) noexcept override;
     [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
@@ -91,8 +94,8 @@ class Tolerance_strategy final : public Update_strategy<d> {
     }
     /// False while the motion is so fast that tolerances would not last a step and are not kept.
     [[nodiscard]] bool keeps_tolerances() const { return displacement_budget_.kept(); }
-    /// Lower bound of the distance v may be from its fixed position while every other vertex is within its own; while
-    /// keeps_tolerances().
+    /// Lower bound of the distance that v may be from its fixed position while every other vertex is within its own;
+    /// while keeps_tolerances().
     [[nodiscard]] std::optional<double> tolerance(Index v) const override {
         return displacement_budget_.kept() ? std::optional(std::max(0.0, displacement_budget_.slack(v))) : std::nullopt;
     }
@@ -100,7 +103,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] bool is_present(std::size_t v) const { return mesh_.has(static_cast<Index>(v)); }
-    /// Of a time step.
+    /// The budget of a time step.
     [[nodiscard]] double repair_limit() const {
         const std::size_t n = mesh_.vertices();
         return means_ == Means::any ? Rebuild_policy<d>::repair_limit(n) : Rebuild_policy<d>::generous_repair_limit(n);
@@ -138,7 +141,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     Means means_;
     int threads_ = 1;
-    bool rebuilding_ = false;  // each time step is rebuilt, with `any`
+    bool rebuilding_ = false;  // with `any`: each time step is rebuilt
     Delaunay_mesh<d>& mesh_;
     const Corner_table<d>& table_;
     Repair<d> repair_;

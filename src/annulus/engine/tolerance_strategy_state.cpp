@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How `tolerances` starts, when it keeps tolerances, and its rebuilds.
+// How `tolerances` starts, when it keeps tolerances, and how it rebuilds.
 #include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/error.h>
@@ -19,7 +19,7 @@ void Tolerance_strategy<d>::resize() {
     if (displacement_budget_.kept()) displacement_budget_.resize();
 }
 
-/// The cells are worked on from now on.
+/// From now on the cells are updated.
 template <int d>
 void Tolerance_strategy<d>::stop_rebuilding() {
     if (!std::exchange(rebuilding_, false)) return;
@@ -37,7 +37,7 @@ void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>>
     if (!own) std::copy(x.begin(), x.end(), position_.begin());
 }
 
-/// Fresh tolerances of everything at x.
+/// Computes the tolerances of everything at x.
 template <int d>
 void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
     tolerance_policy_.note_recomputed();
@@ -87,8 +87,8 @@ void Tolerance_strategy<d>::resume_after_rollback() {
     refresh_all(discarded);
 }
 
-/// In blocks that stay in the cache from the evaluation to what is written down; several threads want larger ones.
-/// The order is the same.
+/// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
+/// same.
 template <int d>
 void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
     Certificate_checker<d>& checker = repair_.checker();
@@ -112,7 +112,7 @@ void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move
     });
 }
 
-/// Tolerances are given up: no vertex that moves passes until the next recomputation of tolerances.
+/// Gives tolerances up: no vertex that moves passes until they are recomputed.
 template <int d>
 void Tolerance_strategy<d>::drop_tolerances() {
     displacement_budget_.drop();
@@ -156,7 +156,7 @@ void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_repo
     report.arithmetic += counts;
 }
 
-/// Displacements are kept from time to time while no tolerances are, unless there never are any.
+/// Displacements are recorded from time to time while no tolerances are kept, unless they never are.
 template <int d>
 void Tolerance_strategy<d>::note_displacements(std::span<const Coordinates<d>> x) {
     if (displacement_budget_.kept() || means_ == Means::signs) tolerance_policy_.forget_displacements();
@@ -173,9 +173,9 @@ void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
     tolerance_policy_.reconsider(table_, repair_.checker(), position_, each, report);
 }
 
-/// At the end of a time step that was repaired by signs (after a rebuild no tolerances are recomputed), not the one
-/// that found out: at its beginning it is not known whether a rebuild is to come. The two cost no more than a time step
-/// may.
+/// Called at the end of a time step that was repaired by signs (after a rebuild no tolerances are recomputed), not of
+/// the one that decided it: at its beginning it is not known whether a rebuild is to come. The two together cost no
+/// more than a time step may.
 template <int d>
 void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
     static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
@@ -192,8 +192,8 @@ void Tolerance_strategy<d>::recompute_if_worthwhile(Move_report& report) {
     recompute_tolerances(position_, report);
 }
 
-/// While time steps are rebuilt, by what this one brings: whether it will pay to repair the next. This one is rebuilt
-/// all the same.
+/// While time steps are rebuilt: whether it will pay to repair the next one, judging by this one, which is rebuilt
+/// anyway.
 template <int d>
 bool Tolerance_strategy<d>::next_is_repaired(std::span<const Coordinates<d>> x) {
     constexpr std::size_t most_cells = 512;
@@ -214,7 +214,7 @@ void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool 
     report.moves.rebuilt += mesh_.vertices();
 }
 
-/// After repair gave up. After a duplicate point the cells are built at the old positions, with other numbers.
+/// After repair gave up. After a duplicate point the cells are rebuilt at the old positions, with other numbers.
 template <int d>
 void Tolerance_strategy<d>::rebuild(Step<d>& step) {
     try {

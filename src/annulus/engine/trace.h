@@ -3,9 +3,9 @@
 
 #include <annulus/arithmetic/standard.h>
 
-// What `tolerances` decides, told as it happens. Where the macro ANNULUS_TRACE names a header, that defines
-// annulus::Trace, a class of static functions with the names and arguments that stand at ANNULUS_TRACED;
-// proofs/traces has the one there is. Otherwise nothing is told, and arguments are not evaluated.
+// Reports the decisions of `tolerances` as they happen. If the macro ANNULUS_TRACE is defined, it names a header that
+// defines annulus::Trace, a class of static functions with the names and arguments used in ANNULUS_TRACED; the only
+// one is in proofs/traces. Otherwise nothing is reported, and the arguments are not evaluated.
 #ifdef ANNULUS_TRACE
 #include ANNULUS_TRACE
 #define ANNULUS_TRACED(event) ::annulus::Trace::event

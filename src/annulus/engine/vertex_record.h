@@ -6,11 +6,11 @@
 
 namespace annulus {
 
-/// What a step reads of every vertex to tell whether it moved too far.
+/// What a step reads of every vertex to test whether it left its tolerance.
 template <int d>
 struct Vertex_record {
-    Coordinates<d> fixed{};      ///< fixed position
-    Truncated_double threshold;  ///< squared, compared with |moving - fixed|^2
+    Coordinates<d> fixed{};      ///< the fixed position
+    Truncated_double threshold;  ///< of the squared displacement |moving - fixed|^2
 };
 
 }  // namespace annulus

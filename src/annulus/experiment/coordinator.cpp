@@ -11,7 +11,7 @@ namespace annulus {
 
 namespace {
 
-/// Lines of results are JSON as they are.
+/// Lines of results are JSON already.
 std::string entry_of(std::size_t trial, int rank, const Trial_result& result, const Hard_inputs& hard) {
     std::string text = "{\"trial\":" + std::to_string(trial) + ",\"lines\":[";
     for (std::size_t i = 0; i < result.lines.size(); ++i) {
@@ -66,7 +66,7 @@ Trial_result run_named(const Trial& t, std::size_t hardest, int threads) {
         if (t.motion && t.motion->kind == Trial_motion::Kind::generated) where += " " + decimal(t.motion->pace);
         if (t.rounding.kind != Rounding::Kind::plain) where += ", " + t.rounding.name;
         throw Error(e.code(), where + ": " + e.what());
-    } catch (const std::runtime_error&) {  // oneTBB, where the system gives it no thread
+    } catch (const std::runtime_error&) {  // from oneTBB, where the system provides no thread
         if (threads == 1) throw;
     }
     return run_named(t, hardest, 1);
@@ -95,7 +95,7 @@ void Coordinator::finish(std::size_t trial, int machine, int rank, const Trial_r
         entry_[trial] = journal_.size();
         journal_.append(entry_of(trial, rank, result, hard_.merge(result.hard)));
         ++done_;
-    } catch (...) {  // the disk is full
+    } catch (...) {  // for example a full disk
         entry_[trial].reset();
         if (!fault_) fault_ = std::current_exception();
         schedule_.clear();

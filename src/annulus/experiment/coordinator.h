@@ -18,36 +18,37 @@
 
 namespace annulus {
 
-/// Hands out the trials of a sweep and keeps what comes back in its journal. All members may be called from several
+/// Hands out the trials of a sweep and stores their results in its journal. All members may be called from several
 /// threads at once.
 class Coordinator {
   public:
-    /// What the journal has is not done again. `threads` and `bytes` are those of each machine.
+    /// Trials in the journal are not run again. `threads` and `bytes` are those of each machine.
     Coordinator(const Spec& spec, Journal& journal, int threads, std::uint64_t bytes);
 
-    /// The next one for a thread of that machine; waits while there is no room for any. None when all are taken, or
+    /// The next trial for a thread of that machine; waits while there is no memory for any. None when all are taken, or
     /// one has failed.
     [[nodiscard]] std::optional<Schedule::Job> wait_for_job(int machine);
-    /// For another process: what there is at once (Schedule::take). `over` is set where there will be nothing more.
+    /// For another process: the trials available now (Schedule::take). Sets `over` where there will be no more.
     [[nodiscard]] std::vector<Schedule::Job> jobs(int machine, int threads_in_all, bool& over);
     void finish(std::size_t trial, int machine, int rank, const Trial_result& result);
-    /// A trial threw: nothing more is handed out; what runs is finished and kept. The first is what `rethrow` throws.
+    /// After an exception of a trial: no more trials are handed out; running ones are finished and kept. `rethrow`
+    /// throws the first exception.
     void fail(std::size_t trial, int machine, std::exception_ptr why);
-    /// The same where no trial is at fault.
+    /// The same for an exception that no trial threw.
     void stop(std::exception_ptr why);
     void rethrow() const;
 
     [[nodiscard]] std::size_t done() const;
     [[nodiscard]] std::size_t all() const { return spec_.trials.size(); }
     [[nodiscard]] std::size_t most_hardest() const { return spec_.hardest; }
-    /// Nothing is left, and nothing runs.
+    /// Whether no trial is left and none is running.
     [[nodiscard]] bool over() const;
-    /// Waits until something has come back, or that long.
+    /// Waits until a result has come back, at most for this time.
     void wait(std::chrono::milliseconds most);
 
-    /// Of each trial that is done, where the journal has it.
+    /// The entry of each finished trial in the journal.
     [[nodiscard]] const std::vector<std::optional<std::size_t>>& entries() const { return entry_; }
-    /// The hardest inputs of all that is done.
+    /// The hardest inputs of all finished trials.
     [[nodiscard]] const Hard_inputs& hardest() const { return hard_; }
 
   private:
@@ -64,18 +65,18 @@ class Coordinator {
     std::exception_ptr fault_;
 };
 
-/// run(), but an error that names no file says of which trial it is, and where threads cannot be had one does as well.
+/// run(), but an error that names no file names its trial, and one thread is used where no more are available.
 [[nodiscard]] Trial_result run_named(const Trial& trial, std::size_t hardest, int threads);
 
-/// Threads of one process that compute what `take` gives them, until it gives nothing: take() -> optional<Job>,
-/// done(job, result), failed(job, exception). All three are called from these threads. Where the system does not give
-/// so many, fewer do as well: no more then than the machine has processors, so that what they need is left, addresses
-/// for one.
+/// Threads of one process that run the jobs which `take` returns, until it returns none: take() -> optional<Job>,
+/// done(job, result), failed(job, exception). All three are called from these threads. Where the system does not
+/// provide so many threads, fewer are used, at most the number of processors, so that resources such as address space
+/// remain for their work.
 class Workers {
   public:
     template <class Take, class Done, class Failed>
     Workers(int threads, const Spec& spec, Take take, Done done, Failed failed) {
-        // No trial begins before it is known how many there are, and before what others had is given back.
+        // No trial begins before the number of threads is known, and before surplus ones have been released.
         std::promise<std::size_t> known;
         std::promise<void> begin;
         const auto work = [=, &spec, count = known.get_future().share(),

@@ -16,48 +16,49 @@
 
 namespace annulus {
 
-/// Which certificate, by its determinant.
+/// The kind of certificate, by its determinant.
 enum class Certificate_name : std::uint8_t { orientation_2, empty_circle_2, orientation_3, empty_sphere_3 };
 [[nodiscard]] std::string_view name_of(Certificate_name name);
 
 /// A certificate's points in the order in which it was evaluated, and how hard it was.
 struct Hard_input {
-    /// The less the harder. What the filter decided: its determinant over its error bound. What intervals or integers
-    /// decided: width over the largest difference of coordinates. Neither depends on the unit of length.
+    /// Smaller is harder. Decided by the filter: determinant over error bound. Decided by intervals or integers: width
+    /// over the largest difference of coordinates. Neither depends on the unit of length.
     double key = 0;
     std::vector<double> coordinates{};  ///< of point after point
     double tolerance = 0;               ///< half the width, certified lower bound, in the unit of the coordinates
-    std::uint64_t seed = 0;             ///< of the experiment that met it
+    std::uint64_t seed = 0;             ///< of the experiment that found it
 
-    /// The harder first; a total order of keys, coordinates and seeds.
+    /// Harder inputs first; a total order of keys, coordinates and seeds.
     friend bool operator<(const Hard_input& l, const Hard_input& r) {
         return std::tie(l.key, l.coordinates, l.seed) < std::tie(r.key, r.coordinates, r.seed);
     }
 };
 
-/// The hardest inputs met, for each certificate and each stage that decided: no two with the same set of points. What
-/// is exactly degenerate (of which grids have all there is) is not among them.
+/// The hardest inputs found, for each certificate and each stage that decided; no two have the same set of points.
+/// Exactly degenerate inputs, of which grids have any number, are excluded.
 ///
-/// Which are kept does not depend on the order in which they were met, nor on how they were divided and merged.
+/// Which inputs are kept does not depend on the order in which they were found, nor on how they were divided and
+/// merged.
 class Hard_inputs {
   public:
     explicit Hard_inputs(std::size_t most) : most_(most) {}
 
-    /// Would one of this key be kept? A cheap test before `add`; false positives only.
+    /// Whether an input with this key would be kept. A cheap test before `add`; it errs only by false positives.
     [[nodiscard]] bool may_keep(Certificate_name name, Stage stage, double key) const {
         const Class& c = of(name, stage);
         return most_ > 0 && (c.hardest.size() < most_ || key <= c.hardest.rbegin()->key);
     }
-    /// True where it is one of the hardest so far.
+    /// True if it is one of the hardest so far.
     bool add(Certificate_name name, Stage stage, Hard_input input);
-    /// Adds what is listed, returns what was kept of it.
+    /// Adds the listed inputs, returns those that were kept.
     Hard_inputs merge(const Hard_inputs& other);
     [[nodiscard]] bool empty() const;
 
-    /// One object for each, in the order of certificates, stages and hardness: {"certificate", "stage", "key",
+    /// One object per input, in the order of certificates, stages and hardness: {"certificate", "stage", "key",
     /// "tolerance", "seed", "points"}, coordinates as hexadecimal doubles.
     [[nodiscard]] std::vector<nlohmann::ordered_json> json() const;
-    /// Adds one of those.
+    /// Adds one such object.
     void add(const nlohmann::ordered_json& json);
 
   private:

@@ -27,7 +27,7 @@ std::string mark_of(std::string_view text) {
                   ::crc32_z(0, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
     return digits;
 }
-/// The text of a line that is whole.
+/// The text of a complete line.
 bool is_whole(std::string_view line) {
     return line.size() >= mark && mark_of(line.substr(mark)) == line.substr(0, mark);
 }
@@ -60,7 +60,7 @@ void Journal::open_and_lock() {
             throw Error(Error_code::bad_input,
                         file_.parent_path().string() + ": another sweep is writing to it; expected one at a time");
         }
-        // The former owner may have put its results in the place of the directory.
+        // The former owner may have replaced the directory by its results.
         struct stat ours {
         }, there{};
         if (::fstat(descriptor_, &ours) == 0 && ::stat(file_.c_str(), &there) == 0 && ours.st_ino == there.st_ino &&
@@ -70,7 +70,7 @@ void Journal::open_and_lock() {
     }
 }
 
-/// `ended`: the line has its end. Of a first line that was cut off nothing can be lost.
+/// `ended`: whether the line has its end. If the first line was cut off, nothing was stored.
 void Journal::require_head(std::string_view line, const std::string& head, bool ended) const {
     const std::string wanted = mark_of(head) + head;
     if (ended ? line == wanted : wanted.starts_with(line)) return;
@@ -91,7 +91,7 @@ void Journal::read(const std::string& head) {
     std::array<char, 1 << 16> block{};
     std::string line;
     bool any = false;
-    std::uint64_t at = 0, begin = 0;  // of what is read; of the line
+    std::uint64_t at = 0, begin = 0;  // end of the data read; beginning of the line
     while (true) {
         const ssize_t n = ::pread(descriptor_, block.data(), block.size(), static_cast<off_t>(at));
         if (n < 0 && errno == EINTR) continue;

@@ -12,23 +12,23 @@
 
 namespace annulus {
 
-/// Entries that outlive the process, however it ends: a file that only grows, each line its CRC-32 and its text. What
-/// a kill has left of a last line is recognised, and dropped when the journal is opened again; so is a line that was
-/// damaged. What is appended is on the disk a second later at the latest.
+/// Entries that survive the process, however it ends: an append-only file; each line is a CRC-32 and a text. A last
+/// line that was cut off by a kill is recognised and dropped when the journal is opened again; so is a damaged line. An
+/// appended line is on the disk after a second at most.
 class Journal {
   public:
-    /// Opens or makes it, and keeps others out. `head` says whose it is. Throws Error(bad_input) where another
-    /// process has it open, or, unless it is to `begin_anew`, where it is of another head or of something else;
-    /// std::system_error for what the system cannot do.
+    /// Opens or makes the file, and locks it. `head` identifies the sweep. Throws Error(bad_input) where another
+    /// process has it open, or, unless it is to `begin_anew`, where it has another head or is not a journal;
+    /// std::system_error for failures of the system.
     Journal(std::filesystem::path file, const std::string& head, bool begin_anew);
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
     [[nodiscard]] std::size_t size() const { return place_.size(); }
-    /// Entry i, in the order of writing. Throws Error(bad_input) where the file has changed meanwhile.
+    /// Entry i, in the order of writing. Throws Error(bad_input) if the file has been changed meanwhile.
     [[nodiscard]] std::string entry(std::size_t i) const;
-    /// One line, without line ends.
+    /// Appends one line, given without line ends.
     void append(std::string_view text);
 
   private:

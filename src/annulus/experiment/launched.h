@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// As one of how many processes this one was started, by what launchers leave in the environment: Open MPI's mpirun;
-/// those of MPICH, Intel MPI and MVAPICH; Slurm's srun. 1 by default.
+/// The number of processes that were started together with this one, including it, from environment variables of
+/// launchers: Open MPI's mpirun; those of MPICH, Intel MPI and MVAPICH; Slurm's srun. 1 by default.
 [[nodiscard]] inline int launched_processes() {
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "SLURM_STEP_NUM_TASKS"}) {
         const char* const value = std::getenv(name);

@@ -17,7 +17,7 @@ constexpr int fault_of_the_machine = 4;  // docs/tool.md
 Launcher_watch::Launcher_watch()
     : thread_([this, launcher = ::getppid()] {
           std::unique_lock lock(mutex_);
-          // Orphans are adopted by another process. Nothing that other threads hold is waited for.
+          // Orphans are adopted by another process. Does not wait for anything that other threads hold.
           while (!changed_.wait_for(lock, look_again, [this] { return over_; }))
               if (::getppid() != launcher) ::_exit(fault_of_the_machine);
       }) {}

@@ -7,10 +7,10 @@
 
 namespace annulus {
 
-/// While one lives, this process ends with the one that started it (mpirun, or what it or srun has running on each
-/// machine): at once, with status 4 and without a word, a tenth of a second later at the latest. A rank that outlives
-/// its launcher waits for others for ever where these have ended, and MPI libraries differ in what they do about it.
-/// As with SIGKILL, a journal keeps what it has.
+/// While such an object exists, this process ends with the one that started it (mpirun, or the daemon of mpirun or srun
+/// on each machine): within a tenth of a second, with status 4 and without a message. A rank that outlives its launcher
+/// would wait for ever for ranks that have ended, and MPI libraries treat this case differently. As with SIGKILL, a
+/// journal keeps what it has.
 class Launcher_watch {
   public:
     Launcher_watch();

@@ -53,7 +53,7 @@ Trial_result result_of(std::string_view text, std::size_t hardest, std::size_t& 
 }
 
 std::string packed(const std::exception_ptr& why) {
-    Error_code code = Error_code::environment;  // a fault of ours or of the machine
+    Error_code code = Error_code::environment;  // an internal fault or one of the machine
     std::string what = "unknown";
     try {
         std::rethrow_exception(why);

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-// What ranks tell one another, as text.
+// Messages between ranks, as text.
 namespace annulus {
 
-/// The next line of text, which loses it.
+/// Removes the next line of text and returns it.
 [[nodiscard]] std::string next_line(std::string_view& text);
 
 [[nodiscard]] std::string packed(const std::vector<Schedule::Job>& jobs);
@@ -21,7 +21,7 @@ namespace annulus {
 [[nodiscard]] std::string packed(std::size_t trial, const Trial_result& result);
 [[nodiscard]] Trial_result result_of(std::string_view text, std::size_t hardest, std::size_t& trial);
 
-/// Of what is no Error the words are kept, and that no input is to blame.
+/// Of an exception that is not an Error the message is kept, and that no input caused it.
 [[nodiscard]] std::string packed(const std::exception_ptr& why);
 [[nodiscard]] std::exception_ptr fault_of(std::string_view text);
 

@@ -10,14 +10,14 @@
 
 namespace annulus {
 
-/// The processes of a run under MPI, of which this is one; one alone where it was not started by mpirun, srun or the
-/// like. Only the thread that makes it may use it.
+/// The processes of a run under MPI, of which this is one; a single process where it was not started by mpirun, srun or
+/// the like. Only the thread that makes the object may use it.
 class Ranks {
   public:
-    /// Begins MPI where this process was started as one of several. Throws Error(usage) where it was and this build
-    /// has no MPI: it would be one run for each process.
+    /// Starts MPI if this process was started as one of several. Throws Error(usage) if it was and this build has no
+    /// MPI: each process would be a run of its own.
     Ranks();
-    /// Ends MPI. Lets the others go where they have not been told anything yet.
+    /// Ends MPI. Releases the other ranks if they have not received anything yet.
     ~Ranks();
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
@@ -26,19 +26,20 @@ class Ranks {
     [[nodiscard]] int rank() const noexcept { return rank_; }
     [[nodiscard]] int size() const noexcept { return size_; }
     [[nodiscard]] bool first() const noexcept { return rank_ == 0; }
-    /// Machines are numbered; how many ranks the one of this rank has.
+    /// The number of this rank's machine, and the number of ranks on it.
     [[nodiscard]] int machine() const noexcept { return machine_; }
     [[nodiscard]] int ranks_of_machine() const noexcept { return ranks_of_machine_; }
 
-    /// What the first has, all have: of the others' the argument is replaced.
+    /// Sends the first rank's argument to all others, whose argument is replaced.
     void share(std::string& text);
 
-    /// Of the first rank: answers the others until the sweep is over and all of them know. `poll` is called every few
-    /// milliseconds.
+    /// For the first rank: answers the others until the sweep is over and all of them have been told. Calls `poll`
+    /// every few milliseconds.
     void serve(Coordinator& coordinator, int threads, const std::function<void()>& poll);
-    /// Of any other: computes with so many threads what the first hands out, until it says that is all.
+    /// For any other rank: runs the trials that the first hands out, on this many threads, until the first reports the
+    /// end.
     void work(const Spec& spec, int threads);
-    /// Of any other, where it cannot take part or go on: the sweep ends, for that reason.
+    /// For any other rank that cannot take part or continue: ends the sweep for that reason.
     void give_up(const std::exception_ptr& why);
 
   private:

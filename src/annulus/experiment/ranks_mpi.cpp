@@ -28,19 +28,19 @@ namespace annulus {
 
 namespace {
 
-/// What a message says.
+/// The kind of a message.
 enum Tag : int {
-    ask,     ///< to the first: give me jobs
+    ask,     ///< to the first: a request for jobs
     give,    ///< from the first: jobs, or "over"
-    result,  ///< to the first: what came of one
-    fault,   ///< to the first: what one threw
-    gone,    ///< to the first: why this one does no more
+    result,  ///< to the first: the result of one
+    fault,   ///< to the first: the exception of one
+    gone,    ///< to the first: why this rank stops
 };
 constexpr std::string_view over = "over";
-// MPI's own calls spin while they wait; the processor is the computing threads'.
+// MPI's own calls spin while they wait; the processor is needed by the computing threads.
 constexpr std::chrono::milliseconds nap{1}, wait_for_room{20};
 
-/// What the threads of a rank and the one that talks to the first have in common.
+/// Shared by the computing threads of a rank and the thread that communicates with the first rank.
 struct Shared_state {
     std::mutex mutex{};
     std::condition_variable changed{};
@@ -56,8 +56,8 @@ struct Ranks::Messages {
     Launcher_watch watch{};
     std::vector<int> machines{};  ///< by rank
     bool shared = false;
-    std::set<int> told{};                          ///< which of the others know that it is over, or have gone
-    std::map<int, std::set<std::size_t>> doing{};  ///< what they have been given
+    std::set<int> told{};                          ///< the other ranks that have been told of the end, or have stopped
+    std::map<int, std::set<std::size_t>> doing{};  ///< the trials that they were given
 
     static void send(int to, Tag tag, std::string_view text) {
         if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -65,7 +65,7 @@ struct Ranks::Messages {
                         "a result of more than two gigabytes cannot be sent; keep fewer 'hardest' inputs");
         MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, tag, MPI_COMM_WORLD);
     }
-    /// A message, if there is one.
+    /// The next message, if any.
     static bool receive(int& from, Tag& tag, std::string& text) {
         int there = 0, size = 0;
         MPI_Status status;
@@ -78,7 +78,7 @@ struct Ranks::Messages {
         MPI_Recv(text.data(), size, MPI_CHAR, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
         return true;
     }
-    /// Without a sweep: every request is answered that it is over.
+    /// Without a sweep: answers every request with "over".
     void dismiss(int others) {
         int from = 0;
         Tag tag{};
@@ -95,7 +95,7 @@ Ranks::Ranks() {
     const int launched = launched_processes();
     if (launched == 1) return;
     int provided = 0;
-    messages_ = std::make_unique<Messages>();  // its watch is to see what happens to the launcher from here on
+    messages_ = std::make_unique<Messages>();  // its watch must observe the launcher from here on
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
@@ -111,7 +111,7 @@ Ranks::Ranks() {
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
     MPI_Comm_size(here, &ranks_of_machine_);
     machine_ = rank_;
-    MPI_Bcast(&machine_, 1, MPI_INT, 0, here);  // a machine has the number of its first rank
+    MPI_Bcast(&machine_, 1, MPI_INT, 0, here);  // a machine is numbered by its first rank
     MPI_Comm_free(&here);
     messages_->machines.resize(static_cast<std::size_t>(size_));
     MPI_Allgather(&machine_, 1, MPI_INT, messages_->machines.data(), 1, MPI_INT, MPI_COMM_WORLD);
@@ -130,7 +130,7 @@ bool Ranks::built_with_mpi() noexcept { return true; }
 void Ranks::share(std::string& text) {
     if (!messages_) return;
     messages_->shared = true;
-    if (text.empty())  // who gets nothing asks nothing
+    if (text.empty())  // ranks that get nothing send no requests
         for (int other = 1; other < size_; ++other) messages_->told.insert(other);
     std::uint64_t size = text.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
@@ -206,7 +206,7 @@ void Ranks::work(const Spec& spec, int threads) {
             leave(fault, std::to_string(job.trial) + "\n" + packed(why));
         });
 
-    // Before the threads are waited for, whatever happens.
+    // Runs before the threads are joined, whatever happens.
     struct Closing {
         Shared_state& desk;
         ~Closing() {

@@ -21,7 +21,7 @@ std::optional<T> number(std::string_view word) {
     return value;
 }
 
-/// By the decimal itself: x 10^k would be rounded once more.
+/// Rounds via the decimal text: x 10^k would be rounded once more.
 double rounded_to_digits(double x, int digits) {
     std::array<char, 400> text{};  // 309 digits before the point at most
     const auto [end, error] =

@@ -11,12 +11,12 @@
 
 namespace annulus {
 
-/// To what coordinates of an input are rounded, as those who write files do.
+/// The rounding of an input's coordinates, like that of programs which write files.
 struct Rounding {
     enum class Kind : std::uint8_t {
         plain,    ///< "double"
         single,   ///< "float": to the nearest float
-        decimal,  ///< "decimal:K": to K digits behind the point
+        decimal,  ///< "decimal:K": to K digits after the point
         grid,     ///< "grid:H": to the nearest multiple of H
     };
     std::string name = "double";  ///< as in the specification
@@ -28,12 +28,11 @@ struct Rounding {
     friend bool operator==(const Rounding&, const Rounding&) = default;
 };
 
-/// None where `word` is no rounding.
+/// None where `word` is not a rounding.
 [[nodiscard]] std::optional<Rounding> rounding_named(std::string_view word);
 
-/// The nearest number of that kind, as a double; ties as printf has them (decimal), and to even. A multiple of H is
-/// the double nearest to it.
-/// Throws Error(out_of_domain) where there is no such float.
+/// The nearest number of that kind, as a double; ties as in printf (decimal), otherwise to even. A multiple of H is the
+/// double nearest to it. Throws Error(out_of_domain) if the value exceeds the range of float.
 [[nodiscard]] double rounded(double x, const Rounding& rounding);
 
 template <int d>

@@ -24,7 +24,7 @@ std::optional<Schedule::Job> Schedule::take(int machine) {
         std::find_if(open_.begin(), open_.end(), [&](const auto& one) { return fits(trials_[one.second].bytes); });
     const std::size_t i = found->second;
     const Trial& t = trials_[i];
-    // Others have nothing to do while the last expensive ones run: they help.
+    // While the last long trials run, the other threads are idle: they help.
     const bool dear = t.seconds * threads_ >= seconds_left_ || t.bytes > bytes_ / 2;
     open_.erase(found);
     open_bytes_.erase(open_bytes_.find(t.bytes));

@@ -13,30 +13,30 @@
 
 namespace annulus {
 
-/// Which process computes which trial when: the longest first, so that none is left with one at the end (list
-/// scheduling), and on each machine no more at a time than its memory is thought to hold. One that needs more than that
-/// runs alone. Results do not depend on any of it.
+/// Which process runs which trial when: the longest first, so that no process is left with a long one at the end (list
+/// scheduling), and on each machine no more at a time than its memory is estimated to hold. A trial that needs more
+/// than that runs alone. Results do not depend on the schedule.
 class Schedule {
   public:
     struct Job {
         std::size_t trial;
-        int threads;  ///< that are to work on it
+        int threads;  ///< threads that work on it
     };
 
-    /// `open` are the trials to be done. `threads`: how many there are on each machine; `bytes`: the memory of each.
+    /// `open`: the trials to be run. `threads`: the number on each machine; `bytes`: the memory of each machine.
     Schedule(std::span<const Trial> trials, const std::vector<std::size_t>& open, int threads, std::uint64_t bytes);
 
-    /// One trial for a thread of that machine; none where nothing is left, or has room at present.
+    /// One trial for a thread of that machine; none where none is left, or none fits into its memory at present.
     [[nodiscard]] std::optional<Job> take(int machine);
-    /// Some, until they take that long, but no more than a fair share of what is left for so many threads in all:
-    /// short ones are not worth a message each.
+    /// Several trials, which together take about this time, but no more than a fair share of the rest among all
+    /// threads: short trials are not worth a message each.
     [[nodiscard]] std::vector<Job> take(int machine, double seconds, int threads_in_all);
     void finish(std::size_t trial, int machine);
 
-    /// Nothing is left to be taken.
+    /// Whether no trial is left to be taken.
     [[nodiscard]] bool empty() const { return open_.empty(); }
     [[nodiscard]] std::size_t running() const { return running_; }
-    /// Takes back what has not been begun.
+    /// Drops the trials that have not begun.
     void clear() { open_.clear(); }
 
   private:

@@ -33,8 +33,8 @@ void require_spanning(const Delaunay_mesh<d>& mesh) {
         throw Error(Error_code::too_few, "a motion that smooths needs points that span the space");
 }
 
-/// Uniform ones, those on the sphere first: with h^3 of the ball to a point, its surface has room for as many as
-/// squares of a side h.
+/// Uniform points, those on the sphere first: with a volume of h^3 per point, the sphere has room for as many points as
+/// squares of side h.
 std::vector<Coordinates<3>> points_of_ball(const Ball_3& ball, std::size_t n, std::uint64_t seed) {
     const double square = std::pow(ball.volume() / static_cast<double>(n), 2.0 / 3);
     const auto on_sphere = std::min(n, static_cast<std::size_t>(4 * std::numbers::pi / square));

@@ -12,14 +12,13 @@
 #include <span>
 #include <vector>
 
-// Motions that need the triangulation, as Generated_motion does not: points(), step().
+// Motions that need the triangulation, unlike Generated_motion: points(), step().
 namespace annulus {
 
 /// Lloyd's iteration over the unit square, density 1.
 class Lloyd_motion {
   public:
-    /// Points are merged where they coincide. Throws Error(too_few) where fewer than three are left, or all are on a
-    /// line.
+    /// Merges points that coincide. Throws Error(too_few) if fewer than three are left, or all are on a line.
     Lloyd_motion(std::vector<Coordinates<2>> points, int threads);
     [[nodiscard]] std::span<const Coordinates<2>> points() const { return engine_->positions(); }
     void step();
@@ -33,8 +32,8 @@ class Lloyd_motion {
     std::vector<Coordinates<2>> target_;
 };
 
-/// Natural optimal Delaunay triangulation of the unit ball, sizing 1. It begins with uniform points, as many of them
-/// on the sphere as it has room for at their mean spacing.
+/// Natural optimal Delaunay triangulation of the unit ball, sizing 1. It begins with uniform points, with as many on
+/// the sphere as it has room for at their mean spacing.
 class Nodt_motion {
   public:
     Nodt_motion(std::size_t points, std::uint64_t seed, int threads);

@@ -176,16 +176,16 @@ class Grid_reader {
                 t.frames = frames;
                 t.every = every;
                 t.open = t_.flag("open");
-                estimate(t, size / 40, 3);  // some forty bytes a point; it has not been read yet
+                estimate(t, size / 40, 3);  // about forty bytes per point; it has not been read yet
                 add(std::move(t));
             }
         }
     }
 
-    /// Enters the bytes of a file into the identity of the sweep.
+    /// Adds the bytes of a file to the identity of the sweep.
     std::uint64_t note(const std::filesystem::path& path) {
         std::error_code ignored;
-        // It is read twice, and a pipe would wait for ever.
+        // The file is read twice, and reading a pipe again would block for ever.
         const bool regular = std::filesystem::is_regular_file(path, ignored);
         std::ifstream in;
         if (regular) in.open(path, std::ios::binary);
@@ -215,7 +215,7 @@ class Grid_reader {
     std::vector<std::uint64_t> steps_{0};
 };
 
-/// What reads TOML descends into every part of a key, and has only so much stack.
+/// The TOML parser recurses into every part of a key, and its stack is limited.
 void require_shallow_keys(const std::string& name, std::string_view text) {
     constexpr std::size_t most = 1000;
     std::size_t line = 1, dots = 0;

@@ -18,7 +18,7 @@ std::string range(std::uint64_t least, std::uint64_t most) {
     return "a whole number from " + std::to_string(least) + " to " + std::to_string(most);
 }
 
-/// So that it is not taken for a whole number.
+/// Makes sure that it is not read as a whole number.
 std::string shown_double(double x) {
     const std::string text = decimal(x);
     return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;

@@ -14,13 +14,13 @@
 
 namespace annulus {
 
-/// One table of a TOML file whose keys are taken one by one, strictly: every fault is an Input_error with the line of
-/// what is wrong, and the key.
+/// One table of a TOML file whose keys are read one by one, strictly: every fault is an Input_error with its line and
+/// the key.
 class Spec_table {
   public:
     Spec_table(const std::string& name, const toml::table& table) : name_(name), table_(table) {}
 
-    /// Refuses every key that is not among these.
+    /// Refuses every other key.
     void allow(std::initializer_list<std::string_view> keys, const std::string& where) const;
     [[nodiscard]] bool has(std::string_view key) const { return table_.contains(key); }
     [[nodiscard]] const toml::node* find(std::string_view key) const { return table_.get(key); }
@@ -30,7 +30,7 @@ class Spec_table {
     [[nodiscard]] bool flag(std::string_view key) const;
     [[nodiscard]] std::uint64_t whole(std::string_view key, std::uint64_t absent, std::uint64_t least,
                                       std::uint64_t most) const;
-    /// A value or a list of values; `absent` where there is none. No value may be there twice.
+    /// A value or a list of values; `absent` where there is none. No value may occur twice.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::vector<std::string> absent) const;
     [[nodiscard]] std::vector<std::uint64_t> wholes(std::string_view key, std::vector<std::uint64_t> absent,
                                                     std::uint64_t least, std::uint64_t most) const;
@@ -41,7 +41,7 @@ class Spec_table {
     [[noreturn]] void fail(std::string_view key, const std::string& fault, const std::string& expected) const {
         fail(find(key), fault, expected);
     }
-    /// Where `key` is needed and not there.
+    /// For a required `key` that is missing.
     void require(std::string_view key, const std::string& expected) const;
 
   private:
@@ -56,7 +56,7 @@ class Spec_table {
     const toml::table& table_;
 };
 
-/// A value as it may be shown in a message.
+/// A value for display in a message.
 [[nodiscard]] std::string shown_value(const toml::node& node);
 
 }  // namespace annulus

@@ -24,7 +24,7 @@ double hardness(const T& x, double extent, double width, Stage stage) {
     return stage == Stage::filter ? filter_margin(x) : width / extent;
 }
 
-/// Is told of certificates; sums and keeps.
+/// Receives certificates; adds up statistics and keeps the hardest inputs.
 template <int d>
 class Certificate_collector {
   public:

@@ -10,17 +10,17 @@
 
 namespace annulus {
 
-/// What is found of one set of points.
+/// The results for one set of points.
 struct Study {
     std::uint64_t vertices = 0;
     int affine_dimension = -1;
     double spacing = 0;     ///< mean spacing (statistics/spacing.h), 0 where the points do not span the space
     double resolution = 0;  ///< the distance of doubles at the largest coordinate
-    Tally tally{};          ///< "flat": 1 and nothing else where the points do not span the space
+    Tally tally{};          ///< only "flat": 1 where the points do not span the space
 };
 
-/// Triangulates points and looks at every certificate. `x` are distinct and in the domain, without -0; the hardest
-/// inputs go to `hard`, with the seed. `threads` look at certificates; what is found does not depend on it.
+/// Triangulates points and examines every certificate. `x` are distinct and in the domain, without -0; the hardest
+/// inputs go to `hard`, with the seed. `threads`: how many examine certificates; results do not depend on it.
 template <int d>
 [[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads);
 

@@ -9,17 +9,17 @@
 
 namespace annulus {
 
-/// What experiments that differ in nothing but their seed have found together.
+/// The sum of the results of experiments that differ only in their seed.
 struct Grid_point {
-    nlohmann::ordered_json where;  ///< what they have in common, from "grid" to "step" or "frame"
+    nlohmann::ordered_json where;  ///< their common values, from "grid" to "step" or "frame"
     Tally tally{};
 };
 
-/// Adds lines of results by grid point. Points are in the order in which they are met first; their sums do not depend
-/// on any order.
+/// Adds lines of results by grid point. Grid points are in the order of their first line; their sums do not depend on
+/// any order.
 class Sums {
   public:
-    /// One experiment, as its line has it.
+    /// Adds one experiment, given as its line.
     void add(const nlohmann::ordered_json& line);
     [[nodiscard]] const std::vector<Grid_point>& points() const { return point_; }
 

@@ -15,9 +15,9 @@
 
 namespace annulus {
 
-/// Writes what a sweep has found: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification
-/// alone; spec.toml, its `text`; and costs.jsonl, what each trial took. `entry` says where in the journal each trial
-/// is.
+/// Writes the results of a sweep: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification
+/// alone; spec.toml, its `text`; and costs.jsonl, the time and memory of each trial. `entry` has the journal entry of
+/// each trial.
 void write_sweep(const Spec& spec, std::string_view text, const Journal& journal,
                  const std::vector<std::optional<std::size_t>>& entry, const Hard_inputs& hard, Output_directory& out);
 

@@ -87,9 +87,9 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
     return s;
 }
 
-/// Of the certificates in each bin, the percentage that a stage decided.
+/// The percentage of the certificates in each bin that a stage decided.
 Series share_of_stage(const Tally& t, const std::string& name, const char* stage) {
-    const std::string whole_name = name + "." + stage;  // g++ 13 takes a temporary for what the scale may refer to
+    const std::string whole_name = name + "." + stage;  // g++ 13 warns that the scale may refer to a temporary
     const Histogram& edges = scale(whole_name);
     Series s{stage, {}, {}};
     for (std::size_t i = 0; i + 1 < edges.edges().size(); ++i) {
@@ -119,14 +119,14 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
          {std::array{"bicells.width", "Widths of bi-cells", "width (mean spacings)"},
           std::array{"tolerance.certified", "Certified tolerances of vertices", "tolerance (mean spacings)"},
           std::array{"tolerance.paper_over_exact", "The paper's tolerance over the exact one", "ratio"}}) {
-        const bool ratio = std::string_view(x) == "ratio";  // of which there are few below 1
+        const bool ratio = std::string_view(x) == "ratio";  // few of them are below 1
         Plot plot{title, {x, Scale::log10}, {"share below, percent", ratio ? Scale::linear : Scale::log10}, {}};
         for (std::size_t i = 0; i < std::min(points.size(), most_curves); ++i) {
             const auto found = points[i].tally.histograms.find(name);
             if (found != points[i].tally.histograms.end())
                 plot.series.push_back(cumulative(std::to_string(i + 1), found->second, scale(name)));
         }
-        if (ratio) {  // a decade at least, or there are no ticks
+        if (ratio) {  // at least a decade, or there are no ticks
             const auto beyond = [](const Series& of) { return !of.x.empty() && of.x.back() > 10; };
             plot.x.lower = 0.1;
             if (std::none_of(plot.series.begin(), plot.series.end(), beyond)) plot.x.upper = 10;

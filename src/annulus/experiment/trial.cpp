@@ -26,8 +26,8 @@ class Lines {
   public:
     Lines(const Trial& trial, std::size_t hardest, int threads) : trial_(trial), threads_(threads), result_(hardest) {}
 
-    /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x since others are
-    /// at their places.
+    /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x because others have
+    /// the same position.
     template <int d>
     void look(const Json& where, std::vector<Coordinates<d>> x, std::size_t merged = 0) {
         const std::size_t points = x.size() + merged;
@@ -54,7 +54,7 @@ class Lines {
         line.update(tally_json(found.tally));
         result_.lines.push_back(line.dump());
     }
-    /// What was made of the file.
+    /// How the file was read.
     void input(const Taken_columns& columns, bool ignored_box) {
         Json& taken = input_["columns"] = Json::object();
         for (const auto& [what, where] : columns) taken[what] = where;
@@ -81,7 +81,7 @@ class Lines {
     Trial_result result_;
 };
 
-/// Looks at a motion after each of its steps that the trial names.
+/// Examines a motion after each of the steps that the trial names.
 template <int d, class Motion>
 void look_at_steps(const Trial& t, Motion& motion, Lines& lines) {
     std::uint64_t step = 0;
@@ -162,7 +162,7 @@ Trial_result run(const Trial& t, std::size_t hardest, int threads) {
     return result;
 }
 
-// Measured for ten million uniform points of the plane and a million of space, one thread, and a little more.
+// Measured for ten million uniform points in 2D and a million in 3D, one thread, with a small margin.
 void estimate(Trial& t, std::uint64_t points, int dimension) {
     const double look = dimension == 2 ? 7e-6 : 40e-6, step = dimension == 2 ? 1e-6 : 8e-6;
     const std::uint64_t each = dimension == 2 ? 700 : 2600;

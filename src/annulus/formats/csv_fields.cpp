@@ -26,7 +26,7 @@ std::string_view unquoted(std::string_view text) {
 bool split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields) {
     fields.clear();
     std::size_t begin = 0;
-    bool in_quotes = false, quoted = false, blank = true;  // as far as the field goes
+    bool in_quotes = false, quoted = false, blank = true;  // of the field so far
     for (std::size_t i = 0; i <= line.size(); ++i) {
         const char c = i < line.size() ? line[i] : separator;
         if (c == '"') {
@@ -44,7 +44,7 @@ bool split_csv(std::string_view line, char separator, std::vector<std::string_vi
 }
 
 char csv_separator(std::string_view line) {
-    // The rarest in ordinary text first: a tab or semicolon in the first line is never there by accident.
+    // The rarest in ordinary text first: a tab or semicolon in the first line is never accidental.
     if (line.find('\t') != std::string_view::npos) return '\t';
     return line.find(';') != std::string_view::npos ? ';' : ',';
 }

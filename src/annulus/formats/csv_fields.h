@@ -8,18 +8,18 @@
 
 namespace annulus {
 
-/// Splits a line at separators outside quotes; fields are without blanks and quotes around them. A quote counts in
-/// fields that begin with one. False where one is still open at the end.
+/// Splits a line at separators outside quotes; fields come without surrounding blanks and quotes. Quotes have a meaning
+/// only in fields that begin with one. False where one is still open at the end.
 [[nodiscard]] bool split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
-/// Tab, semicolon or comma: what separates the fields of this first line.
+/// The separator of the fields of this first line: tab, semicolon or comma.
 [[nodiscard]] char csv_separator(std::string_view line);
 
-/// A header has names only; some may be empty, as that of the index which pandas writes. What begins like a number is
-/// none, so that `1 2` is not taken for the name of a column.
+/// Whether all fields are names; some may be empty, as that of the index which pandas writes. A field that begins like
+/// a number is not a name, so that `1 2` is not taken as the name of a column.
 [[nodiscard]] bool is_csv_header(const std::vector<std::string_view>& fields);
 
-/// Goes to the next line that is not blank; false at the end.
+/// Advances to the next line that is not blank; false at the end.
 bool next_csv_line(Line_reader& reader);
 
 /// A text without the blanks around it.

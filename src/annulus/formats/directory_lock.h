@@ -9,7 +9,7 @@
 namespace annulus {
 
 /// Keeps other runs of annulus out of a directory while its files are replaced, or from replacing them while they are
-/// looked at. Waits its turn. Where there is no such directory, or the file system has no locks, it does nothing.
+/// read. Waits for the lock. Does nothing where there is no such directory, or the file system has no locks.
 class Directory_lock {
   public:
     enum class Access : std::uint8_t { reading, writing };

@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// For each point, the first of those that are where it is: itself, where none before it is there.
+/// For each point, the index of the first point at the same position: its own index where no earlier point is there.
 /// O(n log n).
 template <int d>
 [[nodiscard]] std::vector<std::size_t> first_at_place(std::span<const Coordinates<d>> x) {

@@ -35,7 +35,7 @@ struct File_bytes::Inflater {
     Inflater(const Inflater&) = delete;
     Inflater& operator=(const Inflater&) = delete;
 
-    /// What is to be inflated next; it has to stay where it is meanwhile.
+    /// Sets the input to be inflated next; it must not move meanwhile.
     void take(std::string& block) {
         stream.next_in = reinterpret_cast<Bytef*>(block.data());
         stream.avail_in = static_cast<uInt>(block.size());
@@ -61,7 +61,7 @@ File_bytes::File_bytes(const std::filesystem::path& file)
     if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
         fail("is a device, which may have no end", "a file or a pipe");
     if (is_packed(file)) inflater_ = std::make_unique<Inflater>();
-    file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);  // last: who throws here is not destroyed
+    file_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);  // last: a throwing constructor runs no destructor
     if (file_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno), "a readable file");
 }
 
@@ -88,7 +88,7 @@ bool File_bytes::fill() {
     return !block_.empty();
 }
 
-/// A file tells by its first bytes whether it is packed; a pipe may bring them one by one.
+/// The first bytes of a file tell whether it is packed; a pipe may deliver them one by one.
 void File_bytes::look_at_beginning() {
     begun_ = true;
     std::string begin;
@@ -127,7 +127,7 @@ bool File_bytes::inflate(std::string& content) {
                 return false;
             }
             inflater_->take(block_);
-            if (!inflater_->within) {  // what follows the end of a member is another one
+            if (!inflater_->within) {  // another member follows
                 if (inflateReset(&stream) != Z_OK) fail("is damaged", "a gzip file");
                 inflater_->within = true;
             }

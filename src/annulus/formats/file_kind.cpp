@@ -19,7 +19,7 @@ struct Mark {
     Foreign_kind kind;
 };
 
-/// The longer of two that begin alike comes first.
+/// Of two that begin alike the longer comes first.
 constexpr std::array marks{
     Mark{"\xff\xfe\0\0"sv, utf32},
     Mark{"\0\0\xfe\xff"sv, utf32},
@@ -43,7 +43,8 @@ constexpr std::array marks{
 
 bool is_ascii(char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); }
 
-/// Text without a byte order mark, in units of `width` bytes: one that is ASCII, at `place` in the unit, the others 0.
+/// Text without a byte order mark, in units of `width` bytes: the byte at `place` in the unit is ASCII, the others are
+/// 0.
 bool is_wide_ascii(std::string_view bytes, std::size_t width, std::size_t place) {
     if (bytes.size() < 2 * width) return false;
     for (std::size_t i = 0; i < 2 * width; ++i)

@@ -8,19 +8,19 @@
 
 namespace annulus {
 
-/// How many bytes of a file tell what it is.
+/// The number of leading bytes that identify a file.
 inline constexpr std::size_t telling_bytes = 8;
 
-/// Does gzip begin so?
+/// Whether a gzip file begins like this.
 [[nodiscard]] bool begins_as_gzip(std::string_view bytes) noexcept;
 
-/// What a file is that no reader here takes, and what to have in its place.
+/// The kind of a file that no reader accepts, and what to supply instead.
 struct Foreign_kind {
     std::string_view fault, expected;
 };
 
-/// By the first bytes, `telling_bytes` of them where there are as many: text in UTF-16 or UTF-32, with a byte order
-/// mark or without, what other programs have packed, and files of other programs that are met under the names of
+/// Decides by the first bytes, `telling_bytes` of them where there are as many: text in UTF-16 or UTF-32, with a byte
+/// order mark or without, files packed by other programs, and files of other programs that have the extensions of
 /// tables.
 [[nodiscard]] std::optional<Foreign_kind> foreign_kind(std::string_view bytes) noexcept;
 

@@ -12,30 +12,30 @@
 
 namespace annulus {
 
-/// How a file says what it says.
+/// The format of a file.
 enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr, pgm, png };
 
-/// Formats of files with frames, and of those that have points.
+/// Formats of files with frames, and of files with points.
 inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps};
 inline constexpr std::array point_formats{Format::xyz, Format::csv, Format::lammps,
                                           Format::off, Format::ply, Format::mesh};
 inline constexpr std::array surface_formats{Format::off, Format::obj, Format::ply, Format::stl};
 inline constexpr std::array picture_formats{Format::png, Format::pgm};
 
-/// "xyz", "lammps": what --format calls it.
+/// The format's name for --format: "xyz", "lammps".
 [[nodiscard]] std::string_view name_of(Format format);
 [[nodiscard]] std::vector<std::string> names_of(std::span<const Format> formats);
 
-/// The format of a file, which is one of `accepted`: what `asked` names, or without it the file's extension (either
-/// case, and before .gz). Throws Input_error where that is another or none, Error(usage) where `asked` is, and for
-/// standard input without `asked`, which has no extension.
+/// The format of a file, one of `accepted`: the one that `asked` names, or by default that of the file's extension
+/// (either case, and before .gz). Throws Input_error where the extension is that of another format or of none,
+/// Error(usage) where `asked` is invalid, and for standard input without `asked`, which has no extension.
 [[nodiscard]] Format format_of(const std::filesystem::path& file, std::span<const Format> accepted,
                                std::string_view asked = {});
 
-/// Does the file's extension name this format?
+/// Whether the file's extension names this format.
 [[nodiscard]] bool has_extension_of(const std::filesystem::path& file, Format format);
 
-/// Does the file's name end in .gz, in either case?
+/// Whether the file's name ends in .gz, in either case.
 [[nodiscard]] bool is_packed(const std::filesystem::path& file);
 
 }  // namespace annulus

@@ -9,22 +9,22 @@
 
 namespace annulus {
 
-/// What to do with points that are at one place in one frame.
+/// How to treat points at the same position in one frame.
 enum class Coincident {
     refuse,  ///< an Input_error(duplicate_point)
-    merge,   ///< the one with the least id stands for all; the others are absent from this frame
+    merge,   ///< keep the one with the least id; the others are absent from this frame
 };
 
-/// Points of one frame that a triangulation can have: none outside the domain of the library, no two equal, no -0.
+/// Points of one frame that a triangulation accepts: none outside the domain of the library, no two equal, no -0.
 template <int d>
 struct Frame_points {
-    std::uint64_t number = 0;         ///< what the file calls the frame
+    std::uint64_t number = 0;         ///< the frame's number in the file
     std::vector<std::uint64_t> id{};  ///< ascending
     std::vector<Coordinates<d>> x{};
-    std::uint64_t merged = 0;  ///< points that another one stands for
+    std::uint64_t merged = 0;  ///< points that were dropped in favour of another one
 };
 
-/// In two dimensions without their z. Throws Input_error, with the name of the file. O(n log n).
+/// Drops z in two dimensions. Throws Input_error with the name of the file. O(n log n).
 template <int d>
 [[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident);
 

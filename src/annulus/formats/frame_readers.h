@@ -17,40 +17,40 @@
 
 namespace annulus {
 
-/// One time step as a file has it.
+/// One time step as it is in the file.
 struct Raw_frame {
     Raw_points points;
-    std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where no ids were asked for
-    std::uint64_t number = 0;       ///< what the file calls the frame, or its place from 0
+    std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where no ids were requested
+    std::uint64_t number = 0;       ///< the frame's number in the file, or its position, from 0
     std::uint64_t line = 0;         ///< where it begins
     bool ids_are_places = false;    ///< the file has no ids
 
-    /// Makes it empty, and keeps its memory for the next one.
+    /// Empties it, and keeps its memory for the next one.
     void clear();
 };
 
-/// What a reader of frames is asked for: points of one time step, or a motion, where points have ids.
+/// The content that a reader of frames returns: points of one time step, or a motion, where points have ids.
 enum class Frame_contents { points, motion };
 
-/// Frames of a file, one after the other, read as they are asked for. The bytes must outlive the reader.
+/// Frames of a file, one after the other, read on demand. The bytes must outlive the reader.
 class Frame_reader {
   public:
     virtual ~Frame_reader() = default;
     Frame_reader(const Frame_reader&) = delete;
     Frame_reader& operator=(const Frame_reader&) = delete;
 
-    /// Is there no further frame? Goes to where it begins.
+    /// Whether there is no further frame. Advances to where it begins.
     bool at_end();
     /// False at the end of the file. Frames without points are frames.
     bool next(Raw_frame& frame);
     /// Fails unless the frame just read is the last.
     void require_last(const Raw_frame& frame);
 
-    /// What was taken for what, by the first frame with points.
+    /// Which columns were taken, decided by the first frame with points.
     [[nodiscard]] const Taken_columns& columns() const noexcept { return columns_; }
-    /// What the file says and is not obeyed, or may mean something else, each a line with the file's name.
+    /// Content of the file that is ignored or may have another meaning, each a line with the file's name.
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
-    /// Was a periodic box ignored?
+    /// Whether a periodic box was ignored.
     [[nodiscard]] bool ignored_box() const noexcept { return ignored_box_; }
 
   protected:
@@ -58,14 +58,14 @@ class Frame_reader {
         : reader_(bytes), wanted_(wanted), box_(box) {}
 
     [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Frame_contents::motion; }
-    /// Makes room for as many points as the file announces.
+    /// Reserves memory for as many points as the file announces.
     void make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const;
 
-    /// A line that says `what`, "Lattice", and means a periodic box: refuses it, or notes the first one.
+    /// For a line with `what`, as "Lattice", that declares a periodic box: refuses it, or notes the first one.
     void meet_box(const std::string& what);
     void note(std::uint64_t line, const std::string& text);
     static constexpr const char* x_may_be_an_id = "column 1 has integers as ids are, and is taken for x; z is column 3";
-    /// Writes down where an id, if any is wanted, and coordinates are; once.
+    /// Records once in which columns the coordinates, and an id if needed, are.
     void take_columns(Taken_columns columns) {
         if (columns_.empty()) columns_ = std::move(columns);
     }
@@ -73,11 +73,11 @@ class Frame_reader {
     Line_reader reader_;
 
   private:
-    /// Goes to the line with which the next frame begins; false at the end.
+    /// Advances to the first line of the next frame; false at the end.
     virtual bool seek() = 0;
     /// Reads the frame that begins here.
     virtual void read(Raw_frame& frame) = 0;
-    /// What there is and was expected, where there is more than one frame.
+    /// The fault and the expectation where there is more than one frame.
     [[noreturn]] virtual void refuse_more(const Raw_frame& frame) const = 0;
 
     Frame_contents wanted_;
@@ -88,9 +88,9 @@ class Frame_reader {
     std::optional<bool> found_;  ///< the beginning of another frame, if it was looked for
 };
 
-/// XYZ: a count, a comment (extended XYZ is obeyed: xyz_comment.h), and that many rows. Without `Properties` a row is
-/// `[element] x y [z] ...`, as far as that is clear (xyz_guess.h). Where points are wanted a file may also be one
-/// frame of rows `x y [z]` alone.
+/// XYZ: a count, a comment (extended XYZ is supported: xyz_comment.h), and that many rows. Without `Properties` a row
+/// is `[element] x y [z] ...`, where that is unambiguous (xyz_guess.h). A file of points may also be one frame of rows
+/// `x y [z]` alone.
 class Xyz_frames : public Frame_reader {
   public:
     Xyz_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
@@ -103,7 +103,7 @@ class Xyz_frames : public Frame_reader {
     void read_row(const Xyz_columns& columns, Raw_frame& frame);
     struct Comment_row {
         std::uint64_t line = 0;
-        std::size_t fields = 0;  ///< where it looks like a row, else 0
+        std::size_t fields = 0;  ///< if it looks like a row, else 0
         bool begins_with_word = false;
     };
     void require_row(std::uint64_t done, std::uint64_t count, const Xyz_columns* columns, const Comment_row& comment);
@@ -113,9 +113,9 @@ class Xyz_frames : public Frame_reader {
 };
 
 /// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows whose
-/// frame does not decrease. Where points are wanted, frame and id may be missing, and without a header the first
-/// columns are x, y and z, and there are no others. Lines that begin with # are comments before the first row, and
-/// rows after it; the header may be such a comment, as NumPy writes it.
+/// frame does not decrease. In a file of points frame and id may be missing; without a header the columns are x, y and
+/// z, and no others are allowed. Lines that begin with # are comments before the first row, and rows after it; the
+/// header may be such a comment, as NumPy writes it.
 class Csv_frames : public Frame_reader {
   public:
     Csv_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
@@ -137,7 +137,7 @@ class Csv_frames : public Frame_reader {
     bool next_row();
     [[nodiscard]] Header header() const;
 
-    std::vector<std::string_view> fields_;  ///< of the row that is due
+    std::vector<std::string_view> fields_;  ///< of the next row
     bool begun_ = false;
     bool row_is_due_ = false;
     bool has_header_ = false;
@@ -145,18 +145,18 @@ class Csv_frames : public Frame_reader {
     Header columns_;
 };
 
-/// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS
-/// and TIME are stepped over. Positions are x y z, without all three of them xu yu zu, and then xs ys zs or xsu ysu
-/// zsu, which are multiplied out in doubles; where nothing has a z a frame is of the plane. All frames have the same
-/// of these. A frame's number is its timestep. A box is periodic where a side of it is p, or nothing says how its
-/// sides are.
+/// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and
+/// TIME are skipped. Positions are x y z, or xu yu zu unless all three of these are there, then xs ys zs or xsu ysu
+/// zsu, which are converted in doubles; a frame is 2D where no column is a z. All frames must have the same kind of
+/// columns. A frame's number is its timestep. A box is periodic where one of its sides is p, or where the file does not
+/// say how its sides are.
 class Lammps_frames : public Frame_reader {
   public:
     Lammps_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box)
         : Frame_reader(bytes, wanted, box) {}
 
   private:
-    /// The box: a corner, and for each direction what a unit of it adds.
+    /// The box: a corner, and one edge vector for each direction.
     struct Box {
         std::array<double, 3> corner{};
         std::array<std::array<double, 3>, 3> edge{};
@@ -166,8 +166,8 @@ class Lammps_frames : public Frame_reader {
         std::array<std::optional<std::size_t>, 3> at;
         std::optional<std::size_t> id;
         bool scaled = false;
-        std::string_view kind;  ///< what follows x in its name
-        std::string unused;     ///< columns of unwrapped positions and of images that are there, and not taken
+        std::string_view kind;  ///< the suffix of x in its name
+        std::string unused;     ///< columns of unwrapped positions and of images that are there but not used
     };
 
     bool seek() override;
@@ -181,14 +181,14 @@ class Lammps_frames : public Frame_reader {
     void take(const Columns& at);
     void read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box);
 
-    std::optional<std::string_view> kind_;  ///< of the columns of frames before
+    std::optional<std::string_view> kind_;  ///< of the columns of earlier frames
 };
 
 /// The reader of one of frame_formats.
 [[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
                                                       const Periodic_box& box);
 
-/// The points of a file that has one frame; none, where it has none.
+/// The points of a file with one frame; no points for a file without frames.
 [[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box);
 
 }  // namespace annulus

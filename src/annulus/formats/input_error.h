@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// A file that cannot be read or does not say what it should.
+/// The error of a file that cannot be read or has invalid content.
 ///
 /// `what()` is one line, `FILE:LINE: fault; expected EXPECTED`. Faults of the file as a whole (missing, a directory,
 /// of unknown format) have line 0 and read `FILE: fault; expected EXPECTED`.

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// Text as it may stand in HTML, SVG or XML, between tags or in a quoted attribute. Control characters that XML forbids
-/// and bytes that are no UTF-8 become U+FFFD, so the result is always well formed.
+/// Escapes text for HTML, SVG or XML, between tags or in a quoted attribute. Control characters that XML forbids and
+/// bytes that are not UTF-8 become U+FFFD, so the result is always well formed.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace annulus

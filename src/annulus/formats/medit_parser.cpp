@@ -69,7 +69,7 @@ void read_cells(Line_reader& reader, const std::string& keyword, Medit_cells<cor
         std::array<Index, corners> cell;
         for (std::size_t k = 0; k < corners; ++k) {
             const std::uint64_t index = reader.whole(reader.fields()[k], "an index");
-            // The count of points may come later in the file; here only what no Index can hold is refused.
+            // The count of points may come later in the file; here only numbers that no Index can hold are refused.
             if (index > (1ULL << 31) - 1)
                 reader.fail("names vertex " + std::to_string(index), "an index from 1 to the count of vertices");
             cell[k] = static_cast<Index>(index) - 1;
@@ -96,7 +96,7 @@ void check_cells(const std::string& name, const Medit_cells<corners>& cells, std
     }
 }
 
-/// Sections that have one record a line and that are stepped over by their count, with all they need to be checked.
+/// Sections with one record per line that are skipped by their count, with the data for checking them.
 bool is_counted_by_lines(std::string_view keyword) {
     return keyword == "Quadrilaterals" || keyword == "Hexahedra" || keyword == "Prisms" || keyword == "Pyramids";
 }

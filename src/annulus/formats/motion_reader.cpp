@@ -29,7 +29,7 @@ std::optional<std::uint64_t> least_distance(const std::filesystem::path& file, F
 Motion_reader::Motion_reader(const std::filesystem::path& file, const Motion_options& options)
     : bytes_(std::make_unique<File_bytes>(file)), absent_(options.absent) {
     const Format format = format_of(file, frame_formats, options.format);
-    if (format != Format::csv) absent_ = Absent_frames::skip;  // frames without points are there
+    if (format != Format::csv) absent_ = Absent_frames::skip;  // these formats have frames without points
     if (absent_ == Absent_frames::empty && bytes_->size()) stride_ = least_distance(file, format);
     frames_ = frames_of(*bytes_, format, Frame_contents::motion, options.box);
 }
@@ -49,8 +49,8 @@ void Motion_reader::require_same_kind() {
     ids_are_places_ = raw_.ids_are_places;
 }
 
-/// What was read, by id; equal ones are refused. The frames exchange their memory, so that none is asked for in the
-/// long run.
+/// Sorts the frame just read by id; equal ids are refused. The frames exchange their memory, so that in the long run
+/// none is allocated.
 void Motion_reader::sort_by_id(Frame& frame) {
     frame.number = raw_.number;
     if (std::adjacent_find(raw_.id.begin(), raw_.id.end(), std::greater_equal<>()) == raw_.id.end()) {
@@ -79,7 +79,7 @@ void Motion_reader::sort_by_id(Frame& frame) {
     }
 }
 
-/// Is there a gap before the frame just read? Then `frame`, which has no points, stands for it.
+/// Whether there is a gap before the frame just read; then `frame`, which has no points, fills it.
 bool Motion_reader::fills_gap(Frame& frame) {
     if (absent_ == Absent_frames::skip || !last_) return false;
     const std::uint64_t distance = raw_.number - *last_;

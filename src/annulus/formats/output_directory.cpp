@@ -43,21 +43,21 @@ void write_all(const fs::path& file, std::string_view content) {
         }
         content.remove_prefix(static_cast<std::size_t>(done));
     }
-    if (::close(descriptor) != 0) throw last_error();  // a full disk may show only here
+    if (::close(descriptor) != 0) throw last_error();  // a full disk may be reported only here
 }
 
-/// Waits until a file, or the names in a directory, are on the disk.
+/// Waits until a file, or the entries of a directory, are on the disk.
 void synchronise(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0 && errno == EACCES) return;  // a directory may be written to and not read
     if (descriptor < 0) fail(path, "cannot be opened", last_error());
-    const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;  // there are file systems that cannot
+    const bool done = ::fsync(descriptor) == 0 || errno == EINVAL;  // some file systems do not support it
     const std::error_code why = last_error();
     ::close(descriptor);
     if (!done) fail(path, "cannot be written", why);
 }
 
-/// A directory with a name of its own in `parent`, or an error.
+/// A directory with a unique name in `parent`, or an error.
 fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
     std::string name = (parent / (std::string(private_prefix) + "XXXXXX")).string();
     code.clear();
@@ -65,7 +65,7 @@ fs::path private_directory_in(const fs::path& parent, std::error_code& code) {
     return name;
 }
 
-/// What private_directory_in made and was not removed, because its run was killed.
+/// Whether this is a directory of private_directory_in that remained because its run was killed.
 bool is_left_over(const fs::path& path) {
     const std::string name = path.filename().string();
     if (!name.starts_with(private_prefix) || name.size() != private_prefix.size() + 6) return false;
@@ -76,14 +76,14 @@ bool is_left_over(const fs::path& path) {
     return !code;
 }
 
-/// Is something there that is no directory, a link that leads nowhere included?
+/// Whether something that is not a directory is there, including a dangling link.
 bool is_in_the_way(const fs::path& path) {
     std::error_code code;
-    const fs::file_status own = fs::symlink_status(path, code);  // asked once: what other runs make are directories
+    const fs::file_status own = fs::symlink_status(path, code);  // read once: other runs make only directories
     return fs::is_symlink(own) ? !fs::is_directory(path, code) : fs::exists(own) && !fs::is_directory(own);
 }
 
-/// Something is mounted there: it cannot be renamed.
+/// Whether it is a mount point, which cannot be renamed.
 bool is_mount_point(const fs::path& path) {
     struct statx s {};
     if (::statx(AT_FDCWD, path.c_str(), 0, 0, &s) != 0) return true;
@@ -133,7 +133,7 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
     one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
 }
 
-/// Another run may take away at any time what it has made: then some of them are missing, and making our own
+/// Another run may remove at any time the parents that it made: then some of them are missing, and making our own
 /// directory fails.
 void Output_directory::make_parents() {
     if (path_.filename() == "." || path_.filename() == "..") refuse(path_, "is not there");
@@ -156,12 +156,12 @@ void Output_directory::make_room_for_content() {
     std::error_code code;
     fs::path made;
     if (!one_by_one_) made = private_directory_in(target_.parent_path(), code);
-    // Parents that another run has taken away, before anything of ours was in them.
+    // Parents that another run removed before anything of ours was in them.
     for (int turn = 0; !exists_ && code == std::errc::no_such_file_or_directory && turn < 100; ++turn) {
         make_parents();
         made = private_directory_in(target_.parent_path(), code);
     }
-    if (exists_ && (one_by_one_ || code)) {  // its parent may be closed to us, and it open
+    if (exists_ && (one_by_one_ || code)) {  // we may write in it, but not in its parent
         one_by_one_ = true;
         made = private_directory_in(target_, code);
     }
@@ -173,7 +173,7 @@ void Output_directory::make_room_for_content() {
     if (exists_ && ::stat(target_.c_str(), &old) == 0) fs::permissions(content_, fs::perms(old.st_mode & 07777), code);
 }
 
-/// Which is the one of no other file. (That of path_of() may not be there yet, but its owner has it.)
+/// A name that no other file has. (The file of path_of() may not exist yet, but its name is reserved.)
 fs::path Output_directory::new_name(std::string_view name) const {
     const fs::path plain(name);
     std::error_code code;
@@ -207,7 +207,7 @@ void Output_directory::write(std::string_view name, std::string_view content) {
     } catch (const std::error_code& why) {
         std::error_code ignored;
         fs::remove(content_ / plain,
-                   ignored);  // half a file must not be there for a commit that comes in spite of this
+                   ignored);  // a commit after this failure must not find half a file
         fail(path_ / plain, "cannot be written", why);
     }
     files_.push_back(plain);
@@ -220,17 +220,17 @@ void Output_directory::commit() {
         synchronise(content_);
     }
     if (!exists_) {
-        // A directory that has come meanwhile is replaced if it is empty or another run has put its results there.
+        // A directory that was made meanwhile is replaced if it is empty or has the results of another run.
         if (::rename(content_.c_str(), target_.c_str()) != 0) {
             const std::error_code why = last_error();
             if (!holds_results_only() || !exchange()) fail(path_, "cannot be put in its place", why);
         }
     } else if (one_by_one_ || !exchange()) {
-        replace_one_by_one();  // also where the file system cannot exchange
+        replace_one_by_one();  // also where the file system does not support exchange
     }
     made_.clear();
     if (!last_.empty()) synchronise(target_.parent_path());
-    clean_up();  // what has been exchanged is there now
+    clean_up();  // the old directory is there after the exchange
 }
 
 bool Output_directory::exchange() {

@@ -13,19 +13,19 @@ namespace annulus {
 
 /// The directory a run writes to: it appears as a whole on `commit()`, or not at all.
 ///
-/// Content goes to a fresh directory that no other user can enter (mkdtemp), beside the one to be written where that
-/// can be. The commit renames it, in exchange for an older one. Where the directory that is there cannot be renamed
-/// (it is the working directory or a mount point, or holds other files, which stay), its files are replaced one by
-/// one, each at once: the first that was written is taken away first and comes last, so that where it is all others
-/// are.
+/// Content goes to a fresh directory that no other user can enter (mkdtemp), beside the final one where possible. The
+/// commit renames it, exchanging it with an older one. Where the existing directory cannot be renamed (it is the
+/// working directory or a mount point, or holds other files, which stay), its files are replaced one by one, each
+/// atomically: the file that was written first is removed first and replaced last, so that all others are in place
+/// whenever it is there.
 ///
-/// Refusals throw Error(bad_input), what the system cannot do std::system_error; both say "PATH: ...".
+/// Refusals throw Error(bad_input), failures of the system std::system_error; both messages begin with "PATH: ".
 class Output_directory {
   public:
-    /// Names of files that a commit replaces or, where it has none of that name, takes away: those of earlier results.
+    /// Names of files of earlier results, which a commit replaces, or removes where it has no file of that name.
     using Replaced = bool (*)(std::string_view name);
 
-    /// Makes missing parents. Throws when the directory is there and not empty, unless it `may_hold_files`.
+    /// Makes missing parents. Throws when the directory exists and is not empty, unless it `may_hold_files`.
     Output_directory(std::filesystem::path path, Replaced replaced, bool may_hold_files);
     /// Without a commit nothing is left, parents included.
     ~Output_directory();
@@ -35,17 +35,17 @@ class Output_directory {
     /// Writes one file; `name` is a plain file name that was not written before.
     void write(std::string_view name, std::string_view content);
 
-    /// Where another library writes one file, which is to be there before the commit; `name` as above. For what is
-    /// written bit by bit.
+    /// The path to which another library writes one file, which must exist before the commit; `name` as above. For
+    /// files that are written piece by piece.
     [[nodiscard]] std::filesystem::path path_of(std::string_view name);
-    /// Of earlier files this one is not taken away before all that was written is in place, and on the disk: a crash
-    /// of the machine leaves the one or the other.
+    /// This earlier file is removed only after all new files are in place and on the disk: a crash of the machine
+    /// leaves the one or the others.
     void goes_last(std::string name) { last_ = std::move(name); }
-    /// Takes over what was written to another one, which has nothing left.
+    /// Takes over the files written to another one, which is empty afterwards.
     void take(Output_directory& other);
 
-    /// Puts the directory in its place. A second call has nothing to do. When it throws, older results are as they
-    /// were, but for those replaced one by one, which may be in part.
+    /// Puts the directory in its place. A second call does nothing. When it throws, older results are unchanged, except
+    /// that files replaced one by one may be replaced in part.
     void commit();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
@@ -63,7 +63,7 @@ class Output_directory {
     std::filesystem::path path_;    ///< as it was given
     std::filesystem::path target_;  ///< absolute, without links
     Replaced replaced_;
-    std::string last_;  ///< of those that are replaced; none: empty
+    std::string last_;  ///< the last to be replaced; empty: none
     bool exists_ = false;
     bool one_by_one_ = false;
     std::vector<std::filesystem::path> made_;   ///< parents, outermost first

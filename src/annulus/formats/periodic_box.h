@@ -5,10 +5,10 @@
 
 namespace annulus {
 
-/// What to do where a file says that space is periodic, which triangulations here are not.
+/// How to treat a file with a periodic box; triangulations here are not periodic.
 struct Periodic_box {
-    bool ignored = false;        ///< points are taken as they stand, and a note says so; else an Input_error
-    const char* how = "--open";  ///< how the caller says so, for the error
+    bool ignored = false;        ///< positions are used unchanged, with a note; else an Input_error
+    const char* how = "--open";  ///< the option that does so, for the error
 };
 
 }  // namespace annulus

@@ -20,7 +20,7 @@ bool is_named(std::string_view field, std::string_view name) {
 
 }  // namespace
 
-/// Which of the fields name columns that are wanted.
+/// Finds the fields that name columns which are needed.
 Csv_frames::Header Csv_frames::header() const {
     Header result;
     result.all = fields_.size();
@@ -37,13 +37,13 @@ Csv_frames::Header Csv_frames::header() const {
     return result;
 }
 
-/// A field that goes on in the next line is none of ours, and rows that are taken for parts of it, or the other way
-/// round, are points lost or found.
+/// Fields that continue on the next line are not supported: reading rows as parts of them, or the other way round,
+/// would lose or invent points.
 void Csv_frames::split(std::string_view text) {
     if (!split_csv(text, separator_, fields_)) reader_.fail("a quoted field does not end", "its end in the same line");
 }
 
-/// Finds the columns; the first row is due after that, if there is one.
+/// Finds the columns; afterwards the first row, if any, is next.
 void Csv_frames::begin() {
     begun_ = true;
     const bool motion = wants_ids();
@@ -58,7 +58,7 @@ void Csv_frames::begin() {
             split(row);
             break;
         }
-        (void)split_csv(row, separator_, fields_);  // it may be prose
+        (void)split_csv(row, separator_, fields_);  // it may be free text
         if (!commented) comment = shown(text);
         if (!is_csv_header(fields_)) continue;
         const Header found = header();

@@ -49,7 +49,7 @@ Labelled_image read_image(const std::filesystem::path& file) {
         throw Input_error(Error_code::bad_input, file.string(), 0, "has an unknown extension", ".inr or .inr.gz");
     File_bytes bytes(file);
     Source source{bytes.name(), {}};
-    // The header decides how much there may be: nothing is unpacked beyond that.
+    // The header determines the length: nothing is unpacked beyond it.
     while (source.content.size() < longest_header && bytes.more(source.content)) continue;
     if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     Line_reader reader(source);

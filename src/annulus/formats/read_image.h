@@ -10,9 +10,8 @@ namespace annulus {
 
 /// Reads a labelled image, INRIMAGE-4 with unsigned labels of 8 bits (.inr, or .inr.gz by gzip; either case).
 ///
-/// Throws Input_error for everything that is wrong with the file, which includes a length that differs from what its
-/// header says. Memory is asked for as the file fills it, never on the word of the header, and nothing is unpacked
-/// beyond what the header announces.
+/// Throws Input_error for every fault of the file, including a length that differs from the header's. Memory is
+/// allocated as the file fills it, never by the header alone, and nothing is unpacked beyond the announced length.
 [[nodiscard]] Labelled_image read_image(const std::filesystem::path& file);
 
 }  // namespace annulus

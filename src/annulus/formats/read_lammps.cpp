@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::string_view item = "ITEM: ";
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-/// What follows x, y and z in the names of columns: as they are, unwrapped, and the same in shares of the box.
+/// Suffixes of x, y and z in the names of columns: plain, unwrapped, and the same scaled by the box.
 constexpr std::array<std::string_view, 4> kinds{"", "u", "s", "su"};
 
-/// Is this how a side of the box is: two of p, f, s and m, of which p is periodic?
+/// Whether this is a side of the box: two of p, f, s and m, of which p is periodic.
 bool is_boundary(std::string_view word) {
     return word.size() == 2 && word.find_first_not_of("pfsm") == std::string_view::npos;
 }
@@ -34,7 +34,7 @@ bool Lammps_frames::is_item(std::string_view name) const {
     return text.starts_with(name) && (text.size() == name.size() || text[name.size()] == ' ');
 }
 
-/// Goes to the line of values after an ITEM.
+/// Advances to the line of values after an ITEM.
 void Lammps_frames::require_values(std::size_t columns, std::string_view what) {
     if (!reader_.next_record()) reader_.fail("the file ends before " + std::string(what), std::string(what));
     if (reader_.fields().size() != columns)
@@ -42,7 +42,7 @@ void Lammps_frames::require_values(std::size_t columns, std::string_view what) {
                      std::string(what) + ": " + std::to_string(columns));
 }
 
-/// `BOX BOUNDS`, with the words `xy xz yz` or `abc origin` where it is oblique: what a unit of each direction is.
+/// `BOX BOUNDS`, with the words `xy xz yz` or `abc origin` where it is oblique: the edge vector of each direction.
 Lammps_frames::Box Lammps_frames::read_box() {
     Box box;
     bool tilted = false, general = false;
@@ -52,7 +52,7 @@ Lammps_frames::Box Lammps_frames::read_box() {
         general = general || word == "abc";
         if (is_boundary(word)) sides += " " + std::string(word);
     }
-    // LAMMPS has all sides periodic unless it is told otherwise, and early versions did not write how they are.
+    // All sides are periodic by default in LAMMPS, and early versions did not write how they are.
     if (sides.empty()) meet_box("BOX BOUNDS, without a word on its sides");
     else if (sides.find('p') != std::string::npos) meet_box("BOX BOUNDS" + sides);
     std::array<std::array<double, 4>, 3> row{};
@@ -82,8 +82,8 @@ Lammps_frames::Box Lammps_frames::read_box() {
     return box;
 }
 
-/// What the names after ATOMS say: the first kind of position that is there in full. One without z is taken where
-/// there is no z.
+/// Parses the names after ATOMS: takes the first kind of position that is complete. One without z is taken where there
+/// is no z.
 Lammps_frames::Columns Lammps_frames::find_columns() const {
     const auto& words = reader_.fields();
     Columns result;
@@ -97,7 +97,7 @@ Lammps_frames::Columns Lammps_frames::find_columns() const {
     };
     if (wants_ids()) result.id = find("id");
     std::optional<std::array<std::optional<std::size_t>, 3>> flat;
-    std::string z;  // of a kind that is not there in full
+    std::string z;  // of a kind that is incomplete
     for (const std::string_view kind : kinds) {
         std::array<std::optional<std::size_t>, 3> at;
         for (std::size_t i = 0; i < 3; ++i) at[i] = find(std::string(axes[i]) + std::string(kind));
@@ -119,7 +119,7 @@ Lammps_frames::Columns Lammps_frames::find_columns() const {
     reader_.fail("ITEM: ATOMS names no columns of positions", "x y [z], xu yu [zu], xs ys [zs] or xsu ysu [zsu]");
 }
 
-/// What of the header says where atoms are that have crossed the box, if positions are those within it.
+/// Columns of the header with the images of atoms that have left the box, if positions are wrapped into it.
 std::string Lammps_frames::unwrapping(std::string_view taken) const {
     std::string result;
     if (taken == kinds[1] || taken == kinds[3]) return result;

@@ -14,8 +14,8 @@
 namespace annulus {
 
 /// A mesh from a file: triangles in two dimensions, tetrahedra in three, in the order and orientation of the file.
-/// Coordinates are finite; indices are from 0, name points, and differ within a cell. A file without them gives its
-/// triangles or else its edges, padded with `none`: the triangulation of points in a plane or on a line.
+/// Coordinates are finite; indices are from 0, name points, and differ within a cell. A file without such cells gives
+/// its triangles or else its edges, padded with `none`: the triangulation of points in a plane or on a line.
 template <int d>
 struct Mesh_file {
     std::string name;
@@ -25,8 +25,8 @@ struct Mesh_file {
     std::vector<std::uint64_t> cell_lines;
 };
 
-/// Reads a Medit mesh (ASCII, .mesh) of the dimension that it declares. Throws Input_error, also for a mesh without
-/// points or cells. Linear in the size of the file, which is held in memory.
+/// Reads a Medit mesh (ASCII, .mesh) that declares dimension d. Throws Input_error, also for a mesh without points or
+/// cells. Linear in the size of the file, which is held in memory.
 [[nodiscard]] std::variant<Mesh_file<2>, Mesh_file<3>> read_mesh(const std::filesystem::path& file);
 
 }  // namespace annulus

@@ -46,7 +46,7 @@ Raw_points read_off(const Source& source, Raw_faces* wanted) {
         raw.points.push_back({reader.real(fields[0], "x"), reader.real(fields[1], "y"), reader.real(fields[2], "z")});
         raw.lines.push_back(reader.number());
     }
-    // Looked at even when not wanted: a wrong count of vertices shows here.
+    // Read even when not needed: a wrong count of vertices shows here.
     for (std::uint64_t i = 0; i < faces; ++i) {
         reader.require_record(i, faces, "faces");
         const auto& fields = reader.fields();

@@ -77,7 +77,7 @@ Gray_image read_pgm(const Source& source) {
             words.fail("goes on with " + shown(more), "one picture");
         return image;
     }
-    if (!words.rest().empty()) words.take();  // one white space, and the values begin
+    if (!words.rest().empty()) words.take();  // one white space before the values
     const std::string_view data = words.rest();
     if (data.size() != pixels * bytes)
         words.fail("has " + counted(data.size(), "byte") + " after its header",

@@ -138,7 +138,7 @@ void read_binary(const Source& source, std::string_view bytes, const Ply_header&
     for (const Ply_element& element : header.elements) {
         if (element.properties.empty()) continue;
         reader.enter(element, 1);
-        // Every property takes a byte at least, so a count beyond the file cannot ask for memory.
+        // Every property takes at least one byte, so a count beyond the file cannot allocate memory.
         if (element.count > reader.left() / element.least_bytes())
             reader.fail("the file ends: only " + counted(reader.left(), "byte") + " are left for " +
                             std::to_string(element.count) + " records",

@@ -11,8 +11,7 @@ namespace annulus {
 
 namespace {
 
-/// libpng leaves by longjmp what it cannot read: no object is made in `header` and `pixels`, between setjmp and the
-/// end.
+/// libpng reports errors by longjmp: `header` and `pixels` construct no object between setjmp and their end.
 class Png {
   public:
     explicit Png(const Source& source) : rest_(source.content) {
@@ -28,10 +27,10 @@ class Png {
     Png(const Png&) = delete;
     Png& operator=(const Png&) = delete;
 
-    /// Up to the pixels, which come as grey or RGB, with opacity or without, of 8 or 16 bits.
+    /// Reads up to the pixels, which are grey or RGB, with or without alpha, of 8 or 16 bits.
     bool header() {
         if (setjmp(png_jmpbuf(png_)) != 0) return false;
-        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // set_size has ours
+        png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // set_size has our limits
         png_read_info(png_, info_);
         packed_bits = std::uint64_t{png_get_bit_depth(png_, info_)} * png_get_channels(png_, info_);
         png_set_expand(png_);
@@ -51,7 +50,7 @@ class Png {
         return true;
     }
 
-    std::uint64_t packed_bits = 0;  ///< a pixel, in the file before it is deflated
+    std::uint64_t packed_bits = 0;  ///< bits of a pixel before deflation
     std::size_t width = 0, height = 0, channels = 0, bytes = 0;
     char message[80] = {};
 
@@ -74,7 +73,7 @@ class Png {
     std::string_view rest_;
 };
 
-/// Of the pixel at `at`, laid on white.
+/// The value of the pixel at `at`, blended with white.
 std::uint16_t gray(const std::uint8_t* at, std::size_t channels, std::size_t bytes) {
     const auto sample = [&](std::size_t k) -> std::uint64_t {
         return bytes == 1 ? at[k] : std::uint64_t{256} * at[2 * k] + at[2 * k + 1];
@@ -98,7 +97,7 @@ Gray_image read_png(const Source& source) {
     if (!png.header()) fail("is no whole PNG: " + shown(png.message), "a PNG image");
     Gray_image image;
     set_size(image, png.width, png.height, source.name, 0);
-    // Deflate makes 1032 bytes one at the best.
+    // Deflate packs at most 1032 bytes into one.
     if (png.width * png.height * png.packed_bits / (8 * 1032) > source.content.size())
         fail("announces " + std::to_string(png.width) + " by " + std::to_string(png.height) + " pixels in " +
                  counted(source.content.size(), "byte"),

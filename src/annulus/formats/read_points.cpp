@@ -13,7 +13,7 @@ namespace annulus {
 
 namespace {
 
-/// These formats say themselves which numbers are coordinates.
+/// These formats define which numbers are coordinates.
 Raw_points read_raw(File_bytes& bytes, Format format, const Periodic_box& box) {
     const auto with = [](const char* what, Raw_points raw) {
         for (const char* axis : {"x", "y", "z"})
@@ -82,7 +82,7 @@ template <int d>
 std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least) {
     std::vector<Coordinates<d>> x = file.points;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        for (double& c : x[i]) c += 0.0;  // no two zeros
+        for (double& c : x[i]) c += 0.0;  // no -0
         if (!in_domain(x[i]))
             throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
     }

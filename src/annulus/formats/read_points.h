@@ -18,7 +18,7 @@ namespace annulus {
 struct Read_options {
     /// In two dimensions, drop a z coordinate instead of refusing the file.
     bool ignore_z = false;
-    /// "xyz", "csv" ..: what the file is, whatever its extension says; standard input has none.
+    /// "xyz", "csv" ..: the format of the file in place of that of its extension; standard input has none.
     std::string format{};
     Periodic_box box{};
 };
@@ -28,12 +28,12 @@ template <int d>
 struct Point_file {
     std::string name;
     std::vector<Coordinates<d>> points;
-    /// Where each point stands: its line, or the number of its record in a binary file, from 1.
+    /// Of each point: its line, or the number of its record in a binary file, from 1.
     std::vector<std::uint64_t> lines;
-    Taken_columns columns;  ///< what was taken for what
-    /// What the file says and is not obeyed, or may mean something else; each a line with the file's name.
+    Taken_columns columns;  ///< which columns were taken
+    /// Content of the file that is ignored or may have another meaning; each a line with the file's name.
     std::vector<std::string> notes;
-    bool ignored_box = false;  ///< a periodic one
+    bool ignored_box = false;  ///< whether a periodic box was ignored
 
     /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
     [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
@@ -41,22 +41,22 @@ struct Point_file {
     }
 };
 
-/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; format.h has
-/// more), and .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames
-/// is refused, and one with a periodic box unless it is to be ignored.
+/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; see format.h),
+/// and .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is
+/// refused, and one with a periodic box unless it is to be ignored.
 ///
-/// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for everything that is wrong with the file, which
-/// includes having no points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of
-/// the file, which is held in memory.
+/// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for every fault of the file, including a file
+/// without points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of the file,
+/// which is held in memory.
 template <int d>
 [[nodiscard]] Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options = {});
 
-/// The same in the dimension that the file has: 3 where its points have a z that is not ignored.
+/// The same in the dimension of the file: 3 where its points have a z that is not ignored.
 [[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
                                                                                       const Read_options& options = {});
 
-/// The points of a file without repetitions, each where it stands first; no -0. Throws Input_error for a point
-/// outside the domain of the library and for fewer than `at_least` distinct ones. O(n log n).
+/// The distinct points of a file in the order of their first occurrence; no -0. Throws Input_error for a point outside
+/// the domain of the library and for fewer than `at_least` distinct ones. O(n log n).
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least);
 

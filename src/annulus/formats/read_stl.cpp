@@ -9,8 +9,8 @@ namespace annulus {
 
 namespace {
 
-constexpr std::size_t head = 84;    // 80 bytes of anything, then the count of triangles
-constexpr std::size_t record = 50;  // normal, three corners (12 floats), two bytes of anything
+constexpr std::size_t head = 84;    // 80 arbitrary bytes, then the count of triangles
+constexpr std::size_t record = 50;  // normal, three corners (12 floats), two arbitrary bytes
 
 std::uint32_t count_of(const std::string& bytes) {
     std::uint32_t count = 0;
@@ -85,7 +85,7 @@ void read_ascii(const Source& source, Raw_points& raw, Raw_faces& faces) {
 Raw_points read_stl(const Source& source, Raw_faces& faces) {
     Raw_points raw;
     raw.has_z = true;
-    // A binary file may begin with "solid" too; only the length tells.
+    // A binary file may begin with "solid", too; only the length distinguishes them.
     const std::size_t size = source.content.size();
     if (size >= head && size == head + record * static_cast<std::uint64_t>(count_of(source.content))) {
         read_binary(source, raw, faces);

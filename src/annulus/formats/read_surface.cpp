@@ -22,7 +22,7 @@ Raw_points read_raw(Format format, const Source& source, Raw_faces& faces) {
     }
 }
 
-/// Numbers points from 0 in the order in which faces first name them, equal ones alike.
+/// Numbers points from 0 in the order in which faces first name them; equal points have the same number.
 class Numbering {
   public:
     Numbering(const Raw_points& raw, Triangle_surface& surface)
@@ -48,7 +48,7 @@ class Numbering {
     std::uint64_t merged_ = 0;
 };
 
-/// Every edge once in each direction. `lines` are those of the triangles.
+/// Checks that every edge occurs once in each direction. `lines` are those of the triangles.
 void require_closed(const std::string& name, const Triangle_surface& surface, const std::vector<std::uint64_t>& lines) {
     const auto fault = edge_fault(surface.triangles);
     if (!fault) return;

@@ -24,8 +24,8 @@ struct Surface_file {
 /// Reads .off, .obj, .ply (ASCII, binary of either byte order) or .stl (ASCII, binary), by extension, either case.
 ///
 /// Polygons are cut into triangles from their first corner. Equal points are merged, points without a triangle dropped,
-/// a surface that is inside out is turned. Throws Input_error for everything that is wrong with the file, which
-/// includes an edge that is not in two triangles. O(n log n).
+/// a surface that is inside out is reversed. Throws Input_error for every fault of the file, including an edge that is
+/// not in two triangles. O(n log n).
 [[nodiscard]] Surface_file read_surface(const std::filesystem::path& file);
 
 }  // namespace annulus

@@ -12,7 +12,7 @@ namespace annulus {
 
 namespace {
 
-/// Points that cells use, each place once.
+/// Points that cells use, each position once.
 void number_points(const Medit_content& content, Tetrahedra_file& mesh) {
     std::vector<Coordinates<3>> given = content.points;
     for (auto& p : given)
@@ -39,7 +39,7 @@ void number_points(const Medit_content& content, Tetrahedra_file& mesh) {
     }
 }
 
-/// Says what is wrong on the line of a cell.
+/// Reports a fault on the line of a cell.
 class Complaint {
   public:
     explicit Complaint(const Tetrahedra_file& mesh) : mesh_(mesh) {}

@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// A tetrahedral mesh from a file: positive cells that meet in common facets, edges and corners only, and their
+/// A tetrahedral mesh from a file: positive cells that meet only in common facets, edges and corners, and their
 /// boundary.
 ///
 /// Points are finite, differ and are all used, in the order of the file. Not checked: that no part of the mesh lies
@@ -25,18 +25,17 @@ struct Tetrahedra_file {
     Boundary_facets boundary;
     std::uint64_t merged = 0;  ///< points that were equal to another one
     std::uint64_t unused = 0;  ///< points without a cell
-    bool turned = false;       ///< all cells were negative
+    bool turned = false;       ///< whether all cells were negative
 
-    /// The boundary as a surface with no other points than its own, in their order.
+    /// The boundary as a surface with only its own points, in their order.
     [[nodiscard]] Triangle_surface surface() const;
 };
 
-/// Reads a Medit mesh (ASCII, .mesh) of space. Equal points are merged, points without a cell dropped, cells turned
-/// where all are negative; triangles, edges and references of the file are not needed: the boundary is where there is
-/// a cell on one side only.
-/// Throws Input_error for everything that is wrong with the file, which includes cells without volume, cells inverted
-/// against others, a facet of more than two cells, hanging nodes, an edge in more than two facets of the boundary and
-/// a boundary that crosses or touches itself. O(n log n), and the pairs of boundary facets whose boxes meet.
+/// Reads a 3D Medit mesh (ASCII, .mesh). Equal points are merged, points without a cell dropped, cells reversed where
+/// all are negative; triangles, edges and references of the file are not needed: the boundary consists of the facets of
+/// only one cell. Throws Input_error for every fault of the file, including cells without volume, cells inverted
+/// relative to others, a facet of more than two cells, hanging nodes, an edge in more than two facets of the boundary
+/// and a boundary that crosses or touches itself. O(n log n), and the pairs of boundary facets whose boxes meet.
 [[nodiscard]] Tetrahedra_file read_tetrahedra(const std::filesystem::path& file);
 
 }  // namespace annulus

@@ -16,8 +16,8 @@ void Xyz_frames::read_row(const Xyz_columns& columns, Raw_frame& frame) {
     if (wants_ids()) frame.id.push_back(columns.id ? reader_.whole(fields[*columns.id], "the id") : frame.id.size());
 }
 
-/// Goes to the next row. Where the last one is missing or of another shape, and the comment looks like a row, it is
-/// one.
+/// Advances to the next row. Where the last one is missing or of another shape, and the comment looks like a row, the
+/// comment is one.
 void Xyz_frames::require_row(std::uint64_t done, std::uint64_t count, const Xyz_columns* columns,
                              const Comment_row& comment) {
     const bool other =

@@ -9,11 +9,11 @@
 
 namespace annulus {
 
-/// The faces of one file, as it has them: polygons of any number of corners, which may name points that are not there.
+/// The faces of one file, unchecked: polygons of any number of corners, which may name points that do not exist.
 struct Raw_faces {
     std::vector<std::uint64_t> corners;  ///< of all faces, one after the other; from 0
     std::vector<std::size_t> ends{0};    ///< face i has the corners ends[i] to ends[i + 1]
-    std::vector<std::uint64_t> lines;    ///< where each face stands: line, or record in a binary file, from 1
+    std::vector<std::uint64_t> lines;    ///< of each face: line, or record in a binary file, from 1
 
     [[nodiscard]] std::size_t size() const { return lines.size(); }
     [[nodiscard]] std::span<const std::uint64_t> of(std::size_t i) const {
@@ -25,7 +25,7 @@ struct Raw_faces {
     }
 };
 
-/// `v x y z` and `f a b c ...` of Wavefront OBJ; texture and normal indices, and all other lines, are stepped over.
+/// `v x y z` and `f a b c ...` of Wavefront OBJ; texture and normal indices, and all other lines, are skipped.
 [[nodiscard]] Raw_points read_obj(const Source& source, Raw_faces& faces);
 
 /// Three points for every triangle of an STL file, ASCII or binary.

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// What a reader took for what: "x" is in "column 2 (xs)". In the order frame, id, x, y, z, as far as they are read.
+/// The columns that a reader took: "x" is in "column 2 (xs)". In the order frame, id, x, y, z, as far as they are read.
 using Taken_columns = std::vector<std::pair<std::string, std::string>>;
 
 /// "column 2", or "column 2 (xs)" where it has a name; `index` counts from 0.
@@ -17,7 +17,7 @@ using Taken_columns = std::vector<std::pair<std::string, std::string>>;
     return "column " + std::to_string(index + 1) + (name.empty() ? "" : " (" + name + ")");
 }
 
-/// The id of a point that the file gives none.
+/// The id of a point without an id in the file.
 inline constexpr const char* place_as_id = "its place in the frame";
 
 }  // namespace annulus

@@ -17,7 +17,7 @@ namespace {
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 
-/// For a decimal that from_chars calls out of range: is its magnitude at least 1? (It says the same for too small.)
+/// For a decimal that from_chars calls out of range, too large or too small: whether its magnitude is at least 1.
 bool is_large(std::string_view text) noexcept {
     long long exponent = 0;  // of ten, of the first digit that is not zero
     bool seen = false;
@@ -40,7 +40,7 @@ bool is_large(std::string_view text) noexcept {
     return exponent + (negative ? -written : written) >= 0;
 }
 
-/// A text of coordinates packs to a third or a tenth; what grows without end is no text.
+/// A text of coordinates packs to a third or a tenth; content that expands without end is not text.
 void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line) {
     constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
     if (unpacked > free + ratio * bytes.taken())
@@ -49,8 +49,8 @@ void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint6
                           "text, or the file as it is when unpacked");
 }
 
-/// What ends the lines of a text, by its first line, which is searched from a place on; 0 where it may still go on.
-/// CR ends them where no LF comes after it.
+/// The line end of a text, decided by its first line, which is searched from a position on; 0 where the line may still
+/// continue. It is CR where no LF comes after it.
 char line_end_of(std::string_view text, std::size_t from, bool whole) {
     const std::size_t at = text.find_first_of("\r\n", from);
     if (at == std::string_view::npos) return whole ? '\n' : '\0';
@@ -134,7 +134,7 @@ bool Line_reader::more() {
     return !ended_;
 }
 
-/// Reads on until a line ends in what is read; the place of its end there.
+/// Reads on until the buffer has a whole line; returns the position of its end.
 std::size_t Line_reader::read_line_end() {
     buffer_.erase(0, buffer_.size() - rest_.size());
     if (unpacked_ == 0) {
@@ -213,7 +213,7 @@ std::uint64_t Line_reader::whole(std::string_view text, std::string_view what) c
 std::size_t Line_reader::room_for(std::uint64_t count, std::uint64_t bytes, std::string_view noun) const {
     if (count > static_cast<std::uint64_t>(std::numeric_limits<Index>::max()))
         fail("says " + std::to_string(count) + " " + std::string(noun), "fewer than 2^31");
-    // One byte more than is there, because the last line may have no end.
+    // One byte more than the rest, because the last line may have no end.
     return static_cast<std::size_t>(std::min(count, (static_cast<std::uint64_t>(rest_.size()) + 1) / bytes));
 }
 

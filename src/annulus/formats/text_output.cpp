@@ -43,7 +43,7 @@ void require_replaceable(const std::filesystem::path& file) {
 
 std::string special_kind(const std::filesystem::path& path) {
     std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(path, ignored);  // of what a link leads to
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);  // follows links
     switch (status.type()) {
         case std::filesystem::file_type::character:
         case std::filesystem::file_type::block: return "a device";
@@ -62,9 +62,9 @@ Text_output::Text_output(const std::filesystem::path& file) : file_(file) {
     if (is_packed(file)) deflater_ = std::make_unique<Deflater>();
     std::error_code ignored;
     errno = EISDIR;
-    if (std::filesystem::is_directory(file, ignored)) fail();  // known at once, not when all is written
-    // No existing file or link is written through; one that a killed process left may have our number, as in
-    // containers.
+    if (std::filesystem::is_directory(file, ignored)) fail();  // now, not when all is written
+    // Never writes through an existing file or link; a file that a killed process left may have our process number, as
+    // in containers.
     int descriptor = -1;
     errno = EEXIST;
     for (int tries = 0; descriptor < 0 && errno == EEXIST && tries < 1000; ++tries) {
@@ -94,7 +94,7 @@ void Text_output::put(const char* bytes, std::size_t size) {
 
 void Text_output::deflate(std::string_view text, int flush) {
     z_stream& stream = deflater_->stream;
-    std::string in(text);  // zlib wants bytes that may be changed, and changes none
+    std::string in(text);  // zlib takes a non-const pointer but does not write
     stream.next_in = reinterpret_cast<Bytef*>(in.data());
     stream.avail_in = static_cast<uInt>(in.size());
     do {
@@ -116,7 +116,7 @@ void Text_output::commit() {
     errno = 0;
     if (std::fflush(out_) != 0) fail();
     if (out_ == stdout) return;
-    require_replaceable(file_);  // it may have come meanwhile
+    require_replaceable(file_);  // it may have been made meanwhile
     if (std::fclose(std::exchange(out_, nullptr)) != 0 || ::rename(beside_.c_str(), file_.c_str()) != 0) {
         const int error = errno;
         ::unlink(beside_.c_str());

@@ -12,29 +12,28 @@
 
 namespace annulus {
 
-/// "a device", "a pipe", "a socket": what is at this place or where a link at it leads; empty for files, directories
+/// "a device", "a pipe", "a socket": the kind of what this path, or a link at it, names; empty for files, directories
 /// and nothing.
 [[nodiscard]] std::string special_kind(const std::filesystem::path& path);
 
-/// Throws Error(bad_input) unless a file may come to this place: nothing is there, a file, or a link to one or to
-/// nothing. Devices, pipes and sockets are not replaced, nor links to them. `-` may be.
+/// Throws Error(bad_input) unless a file may be put at this path: there is nothing, a file, or a link to a file or to
+/// nothing. Devices, pipes and sockets are not replaced, nor links to them. `-` is accepted.
 void require_replaceable(const std::filesystem::path& file);
 
-/// A text that is written bit by bit: `-` is standard output; a file is written beside its name and gets it in the
-/// end, all of it or nothing; packed by gzip where the name ends in .gz. Memory does not depend on its length.
+/// A text that is written piece by piece: `-` is standard output; a file is written under a temporary name and renamed
+/// at the end, all of it or nothing; packed by gzip where the name ends in .gz. Memory does not depend on its length.
 class Text_output {
   public:
-    /// Throws std::system_error where no file can be made there, and what require_replaceable throws, also when it is
-    /// committed.
+    /// Throws std::system_error where no file can be made there, and as require_replaceable does; so does commit().
     explicit Text_output(const std::filesystem::path& file);
-    /// Leaves nothing behind that was not committed.
+    /// Removes the file unless it was committed.
     ~Text_output();
     Text_output(const Text_output&) = delete;
     Text_output& operator=(const Text_output&) = delete;
 
-    /// Throws std::system_error where it cannot be written.
+    /// Throws std::system_error when writing fails.
     void write(std::string_view text);
-    /// Writes what is left and puts the file in its place, that of another one if there is one.
+    /// Writes the rest and puts the file in its place; replaces an existing one.
     void commit();
 
   private:

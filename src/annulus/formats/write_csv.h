@@ -20,7 +20,7 @@ struct Csv_table {
 };
 
 /// The table as comma separated values, a line each (LF). Doubles are the shortest decimals that read back bit for bit;
-/// absent values and NaN are empty cells; text is quoted where it must be (RFC 4180). Throws Error(wrong_size) when a
+/// absent values and NaN are empty cells; text is quoted where RFC 4180 requires it. Throws Error(wrong_size) when a
 /// row has another length than the header. Linear.
 [[nodiscard]] std::string write_csv(const Csv_table& table);
 

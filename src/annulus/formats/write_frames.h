@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Appends a frame as its reader (frame_readers.h) has it; points have their indices for ids. Format is one of
+/// Appends a frame in the format of its reader (frame_readers.h); the ids of points are their indices. Format is one of
 /// frame_formats; frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the
 /// same doubles.
 template <int d>

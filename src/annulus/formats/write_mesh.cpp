@@ -13,7 +13,7 @@ namespace annulus {
 
 namespace {
 
-/// The section of the cells with k corners; one that is empty is written for solid cells only.
+/// The section of the cells with k corners; an empty section is written for solid cells only.
 template <std::size_t corners>
 void append_section(std::string& out, std::size_t points, std::span<const std::array<Index, corners>> cells,
                     std::size_t k) {

@@ -10,17 +10,16 @@
 namespace annulus {
 
 /// The text of a Medit mesh (ASCII): triangles in two dimensions, tetrahedra in three, reference 0 throughout. Cells
-/// padded with `none` are the simplices of a flat set and have sections of their own: Edges, and Triangles in 3D.
+/// padded with `none` are the simplices of a flat set and have separate sections: Edges, and Triangles in 3D.
 ///
 /// Coordinates are the shortest decimals that read back bit for bit; cells keep their order and orientation, and their
 /// indices, from 0 here, are from 1 in the file. d is 2 or 3. Throws Error(not_finite) for a coordinate that no reader
-/// would take and Error(unknown_vertex) for an index that names no point. Linear.
+/// would accept and Error(unknown_vertex) for an index that names no point. Linear.
 template <int d>
 [[nodiscard]] std::string write_mesh(std::span<const Coordinates<d>> points,
                                      std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells);
 
-/// Some tetrahedra of a triangulation with the triangles around them, and no other points than their own, in their
-/// order.
+/// Some tetrahedra of a triangulation with the triangles around them and only their own points, in their order.
 [[nodiscard]] std::string write_part(std::span<const Coordinates<3>> points,
                                      std::span<const std::array<Index, 4>> cells,
                                      std::span<const std::array<Index, 3>> boundary);

@@ -15,7 +15,7 @@ struct Pvd_entry {
     std::uint64_t time = 0;
 };
 
-/// The text of a ParaView collection (.pvd): which .vtu files are a series in time.
+/// The text of a ParaView collection (.pvd): .vtu files that are a series in time.
 [[nodiscard]] std::string write_pvd(std::span<const Pvd_entry> series);
 
 }  // namespace annulus

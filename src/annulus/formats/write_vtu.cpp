@@ -36,8 +36,8 @@ constexpr const char* type_name<std::uint64_t> = "UInt64";
 template <>
 constexpr const char* type_name<std::uint8_t> = "UInt8";
 
-/// As VTK reads it: how many blocks, the length of one and of the last one if it is shorter, their lengths when
-/// packed (UInt64), which is encoded as one piece; and the blocks, as another.
+/// As VTK reads it: the number of blocks, the length of one and of the last if it is shorter, their packed lengths
+/// (UInt64), encoded as one piece; then the blocks, as another.
 void append_packed(std::string& out, const char* bytes, std::size_t size) {
     constexpr std::size_t block = std::size_t{1} << 18;
     std::vector<std::uint64_t> header{(size + block - 1) / block, block, size % block};

@@ -12,7 +12,7 @@
 
 namespace annulus {
 
-/// Named values, one for each point or one for each cell.
+/// A name and values, one for each point or one for each cell.
 struct Vtu_field {
     std::string name;
     std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<std::uint64_t>> values;

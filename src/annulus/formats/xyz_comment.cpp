@@ -7,7 +7,7 @@ namespace annulus {
 
 namespace {
 
-/// More columns than a row can be meant to have; a bound that no sum of widths passes without being noticed.
+/// More columns than a sensible row has; a bound that keeps sums of widths from overflowing.
 constexpr std::uint64_t most_columns = 1 << 20;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -17,7 +17,7 @@ bool same(std::string_view text, std::string_view lower_case) {
                       [](char a, char b) { return lower(a) == b; });
 }
 
-/// Takes words off the front of a comment line.
+/// Takes words from the front of a comment line.
 class Comment {
   public:
     explicit Comment(std::string_view text) : rest_(text) {}
@@ -39,7 +39,8 @@ class Comment {
   private:
     void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size())); }
 
-    /// Up to one of `ends`, or what stands between quotes or brackets. What follows a backslash does not close them.
+    /// Reads up to one of `ends`, or the text between quotes or brackets. A character after a backslash does not close
+    /// them.
     std::string_view word(std::string_view ends) {
         constexpr std::string_view open = "\"'{[", close = "\"'}]";
         const std::size_t kind = rest_.empty() ? std::string_view::npos : open.find(rest_[0]);
@@ -94,7 +95,7 @@ Xyz_columns columns_of(const Line_reader& reader, std::string_view list) {
     return columns;
 }
 
-/// A box by its sides, with its angles, or by its vectors: 3, 6 or 9 numbers.
+/// A box given by its sides, with its angles, or by its vectors: 3, 6 or 9 numbers.
 bool is_box(std::string_view key, std::string_view values) {
     if (!same(key, "cell") && !same(key, "box")) return false;
     std::string text(values);
@@ -107,7 +108,7 @@ bool is_box(std::string_view key, std::string_view values) {
                        [&](std::string_view word) { return parse_double(word, unused) == Number_kind::finite; });
 }
 
-/// Does one of the words say true? `T F F`, `[true, false, false]`, `1 0 0`.
+/// Whether one of the words means true. `T F F`, `[true, false, false]`, `1 0 0`.
 bool any_true(std::string_view values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool begins = i == 0 || values[i - 1] == ' ' || values[i - 1] == ',' || values[i - 1] == '\t';

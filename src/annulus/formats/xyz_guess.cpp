@@ -77,7 +77,7 @@ Xyz_guess Xyz_guess::of_counted(const Line_reader& reader) {
 
 void Xyz_guess::look_at(const Line_reader& reader) {
     const auto& fields = reader.fields();
-    if (fields.size() != columns_.all) return;  // that is a fault of its own
+    if (fields.size() != columns_.all) return;  // reported as a separate fault
     if (lead_ == Lead::name && !is_element_name(fields[0]))
         reader.fail("begins with " + shown(fields[0]) + ", where rows above begin with the name of an element",
                     how_to_say);

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// An axis along which three points are not seen as points of a line; nothing where they are on one. Exact.
+/// An axis along which three points do not appear collinear; nothing if they are collinear. Exact.
 [[nodiscard]] inline std::optional<std::size_t> axis_across(const Coordinates<3>& p, const Coordinates<3>& a,
                                                             const Coordinates<3>& b) {
     for (std::size_t i = 0; i < 3; ++i) {

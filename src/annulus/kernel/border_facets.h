@@ -18,8 +18,8 @@ struct Facet_side {
     std::array<Site<d>, static_cast<std::size_t>(d)> sites;
     bool left;
 
-    /// Opposite to corner `slot`. Corners but that one, in the order that makes an even permutation of the cell with
-    /// that one last, are turned to ascending order, which is left of it or not.
+    /// The facet opposite to corner `slot`, its corners in ascending order. `left` says whether these corners,
+    /// followed by corner `slot`, are an even permutation of the cell.
     Facet_side(const Cell_sites<d>& x, int slot) {
         for (int k = 0, n = 0; k <= d; ++k)
             if (k != slot) sites[static_cast<std::size_t>(n++)] = x[static_cast<std::size_t>(k)];
@@ -38,25 +38,25 @@ struct Facet_side {
     }
 };
 
-/// The facets between a region and the cells outside, found by their corners.
+/// The facets between a cavity and the cells outside, found by their corners.
 template <int d>
 class Border_facets {
   public:
     struct Facet {
-        Facet_side<d> side;  // that the region is on
+        Facet_side<d> side;  // the side that the cavity is on
         Corner_index beyond;
     };
 
     void clear() { facets_.clear(); }
     void add(const Facet_side<d>& side, Corner_index beyond) { facets_.push_back({side, beyond}); }
-    /// When all are there: makes them ready to be found. Calls twice(k, j) for two that have the same corners.
-    /// Expected O(k).
+    /// To be called when all facets have been added, before any is searched. Calls twice(k, j) for two that have the
+    /// same corners. Expected O(k).
     template <class Twice>
     void index(Twice twice);
 
     [[nodiscard]] std::size_t size() const { return facets_.size(); }
     [[nodiscard]] const Facet& operator[](std::size_t k) const { return facets_[k]; }
-    /// Calls visit(k) for each facet that has these corners, from either side. Expected O(1).
+    /// Calls visit(k) for each facet with these corners, from either side. Expected O(1).
     template <class Visit>
     void for_each_alike(const Facet_side<d>& s, Visit visit) const {
         for (std::size_t i = first_place(s.sites, place_.size()); place_[i] != 0; i = (i + 1) & (place_.size() - 1))
@@ -65,7 +65,7 @@ class Border_facets {
 
   private:
     std::vector<Facet> facets_;
-    std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
+    std::vector<std::uint32_t> place_;  // hash table of indices from 1, size a power of two; 0: empty
 };
 
 template <int d>

@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// The least box, with sides along the axes, around points of x.
+/// The smallest axis-parallel box around points of x.
 template <int d>
 struct Bounding_box {
     Coordinates<d> low, high;
@@ -26,7 +26,7 @@ struct Bounding_box {
             }
         }
     }
-    /// That of the points multiplied by a power of two, which rounds none of them.
+    /// The box of the points multiplied by a power of two, which rounds none of them.
     [[nodiscard]] Bounding_box scaled(double factor) const {
         Bounding_box box = *this;
         for (std::size_t c = 0; c < d; ++c) {
@@ -35,7 +35,7 @@ struct Bounding_box {
         }
         return box;
     }
-    /// Its longest side; 0 when all points are at one place, or there are none.
+    /// Its longest side; 0 when all points are at one position, or there are none.
     [[nodiscard]] double extent() const {
         double longest = 0;
         for (std::size_t c = 0; c < d; ++c) longest = std::max(longest, high[c] - low[c]);

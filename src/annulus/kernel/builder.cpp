@@ -40,7 +40,8 @@ void Builder<d>::insert_sequentially(std::size_t first, std::size_t last) {
         if (!is_corner(v) && !inserter_.insert(v)) throw_duplicate(inserter_.blocker(), v);
 }
 
-/// False where two vertices are at one place: it is to be done again by one thread, which names always the same two.
+/// Returns false where two vertices are at one position. Then one thread has to do it again: it always names the same
+/// two.
 template <int d>
 bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) {
     const std::size_t n = order_.size();
@@ -52,8 +53,8 @@ bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) 
         pending.clear();
         for (std::size_t v = first; v < last; ++v)
             if (!is_corner(static_cast<Rank>(v))) pending.push_back(static_cast<Rank>(v));
-        // What is postponed at the border of a part is inside one for the most part, where the curve is moved. It is
-        // less each time, so fewer parts share it, with less border.
+        // Most of what is postponed at the border of a part is inside a part when the curve is moved. Less is left
+        // each time, so fewer parts share it, with less border.
         std::size_t at_most = most;
         for (const double moved : {0.0, 0.25, 0.375}) {
             const std::size_t parts = std::min(at_most, pending.size() / Limits::shared_part);
@@ -64,7 +65,7 @@ bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) 
             });
             const std::size_t before = pending.size();
             shared_.insert(inserter_, part_, parts, pending);
-            if (pending.size() > before / 4 * 3) break;  // cells are as large as parts
+            if (pending.size() > before / 4 * 3) break;  // the cells are as large as the parts
             at_most = std::max(at_most / 2, std::size_t{2});
         }
         for (const Rank v : pending)
@@ -73,12 +74,12 @@ bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) 
     return true;
 }
 
-/// Cuts the curve where parts have as many pending vertices each, as far as a sample tells, and says for all vertices
-/// before `last` on which part they are.
+/// Divides the curve so that the parts have equally many pending vertices, as far as a sample tells, and determines
+/// the part of each vertex before `last`.
 template <int d>
 template <class Place>
 void Builder<d>::find_parts(std::span<const Rank> pending, std::size_t last, std::size_t parts, Place place) {
-    constexpr std::size_t samples = 256, run = 1U << 14;  // a part; vertices of one thread at once
+    constexpr std::size_t samples = 256, run = 1U << 14;  // per part; vertices that a thread takes at once
     std::vector<std::uint64_t> sample, cuts;
     for (std::size_t i = 0; i < pending.size(); i += 1 + pending.size() / (samples * parts))
         sample.push_back(place(static_cast<std::size_t>(pending[i])));

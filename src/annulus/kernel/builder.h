@@ -17,33 +17,46 @@
 
 namespace annulus {
 
+/*
+       b-----c                      b-----c
+      /|    /|\                    / \   / \
+     / |   / | \                  /   \ /   \
+    a  |  /  |  d       ->       a-----v-----d
+     \ | / v | /                  \   / \   /
+      \|/    |/                    \ /   \ /
+       f-----e                      f-----e
+*/
 /// Builds Delaunay triangulations from nothing, by incremental insertion (Bowyer, Watson) along a space-filling curve
-/// (Spatial_order, Inserter). Threads share the vertices of a round out by place (Parallel_inserter).
+/// (Spatial_order, Inserter). The cells whose sphere holds the new vertex v are its cavity. They are replaced by a
+/// cell for each facet of the cavity's border, with v.
 ///
-/// All decisions are exact: a filter on spheres that are kept with the cells (Cached_sphere), then the exact stage,
-/// then the symbolic perturbation where points are cospherical (perturbed_sign). So the cells are those that
-/// insertion one by one and repair give, and Cell_order puts them in one order whatever the number of threads.
-/// Buffers are kept from one build to the next: a rebuild touches no memory that is new.
+/// Threads divide the vertices of a round among them by position (Parallel_inserter).
+///
+/// All decisions are exact: a filter on spheres that are stored with the cells (Cached_sphere), then the exact stage,
+/// then the symbolic perturbation where points are cospherical (perturbed_sign). So the cells are those of insertion
+/// one by one and of repair, and Cell_order puts them in one order for any number of threads. Buffers are kept from
+/// one build to the next: a rebuild touches no new memory.
 ///
 /// One call at a time.
 template <int d>
 class Builder {
   public:
-    /// Triangulates these vertices (distinct indices of x) at x, by at most this many threads. False where they lie in
-    /// a hyperplane; then there is nothing to read. Throws Error(duplicate_point) naming two at one place,
-    /// Error(too_large). Expected O(n), for points that are not all on few spheres or curves.
+    /// Triangulates these vertices (distinct indices of x) at x, by at most this many threads. Returns false where
+    /// they lie in a hyperplane; then there are no cells to read. Throws Error(duplicate_point), naming two vertices
+    /// at one position, and Error(too_large). Expected O(n), for points that are not all on few spheres or curves.
     [[nodiscard]] bool build(std::span<const Coordinates<d>> x, std::span<const Index> vertices, int threads = 1);
     /// The vertices in the order of insertion.
     [[nodiscard]] std::span<const Index> order() const { return order_; }
-    /// Calls visit(number, sites in positive order, what is across as 4 * number + slot) for each cell that build()
-    /// made, those at infinity too. Numbers are below cell_bound(). The order is the same in each run with one thread.
+    /// Calls visit(number, sites in positive order, neighbours as 4 * number + slot) for each cell that build() made,
+    /// infinite cells included. Numbers are below cell_bound(). The order is the same in each run with one thread.
     template <class Visit>
     void for_each_cell(Visit visit) const;
     [[nodiscard]] std::size_t cell_bound() const { return cells_.used; }
-    /// Makes it the table's, whose vertices are below `bound`, in an order that depends on the triangulation and on the
-    /// order of insertion alone (Cell_order). When it throws (bad_alloc, Error(too_large)), the table is as it was.
+    /// Copies the cells to the table, whose vertices are below `bound`, in an order that depends only on the
+    /// triangulation and on the order of insertion (Cell_order). When it throws (bad_alloc, Error(too_large)), the
+    /// table is unchanged.
     void copy_to(Corner_table<d>& table, std::size_t bound, int threads = 1);
-    /// Gives buffers back.
+    /// Frees the buffers.
     void release() noexcept { *this = Builder(); }
 
   private:
@@ -58,14 +71,14 @@ class Builder {
             vertices[i] = ranks[i] == cells_.infinity ? infinite : order_[static_cast<std::size_t>(ranks[i])];
         return vertices;
     }
-    /// Returns what they are multiplied by.
+    /// Returns the factor by which positions are multiplied.
     double take_positions(std::span<const Coordinates<d>> x, double extent, int threads);
     [[nodiscard]] bool copy_scaled(std::span<const Coordinates<d>> x, double scale, double back, int threads);
     [[nodiscard]] bool find_simplex();
     void first_cells();
     void insert_sequentially(std::size_t first, std::size_t last);
     [[noreturn]] void throw_duplicate(Rank taken, Rank v) const;
-    /// Vertices of rounds that are large are shared out, those of the others are not.
+    /// Divides the vertices of large rounds among threads; inserts those of other rounds by one thread.
     [[nodiscard]] bool insert_in_parallel(const Bounding_box<d>& around, int threads);
     template <class Place>
     void find_parts(std::span<const Rank> pending, std::size_t last, std::size_t parts, Place place);
@@ -77,9 +90,9 @@ class Builder {
     Spatial_order<d> spatial_order_;
     Growing_cells<d> cells_;
     Simplex simplex_{};
-    Inserter<d> inserter_;  // what threads do not insert is inserted by this one
+    Inserter<d> inserter_;  // inserts what threads do not
     Parallel_inserter<d> shared_;
-    std::vector<std::uint8_t> part_;  // by rank: which thread's it is (Parallel_inserter)
+    std::vector<std::uint8_t> part_;  // by rank: the thread it belongs to (Parallel_inserter)
     Cell_order<d> cell_order_;
 };
 

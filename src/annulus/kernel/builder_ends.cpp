@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builder: how it begins, and what it hands over.
+// Builder: the start of a build, and its result.
 #include <annulus/kernel/builder.h>
 
 #include <annulus/kernel/axis_across.h>
@@ -15,11 +15,11 @@
 namespace annulus {
 
 namespace {
-constexpr std::size_t run = 1U << 14;  // vertices, or cells, of one thread at once
+constexpr std::size_t run = 1U << 14;  // vertices, or cells, that a thread takes at once
 }
 
-/// Scaled by a power of two that makes `extent` nearly 1, where that rounds none of them: where it does, the filter
-/// just knows less.
+/// Scales positions by a power of two that makes `extent` nearly 1, unless that would round one of them; unscaled, the
+/// filter only decides fewer cases.
 template <int d>
 double Builder<d>::take_positions(std::span<const Coordinates<d>> x, double extent, int threads) {
     const std::size_t n = order_.size();
@@ -33,7 +33,7 @@ double Builder<d>::take_positions(std::span<const Coordinates<d>> x, double exte
     return 1.0;
 }
 
-/// Whether none was rounded.
+/// Whether no coordinate was rounded.
 template <int d>
 bool Builder<d>::copy_scaled(std::span<const Coordinates<d>> x, double scale, double back, int threads) {
     std::atomic<bool> all{true};
@@ -53,7 +53,7 @@ bool Builder<d>::copy_scaled(std::span<const Coordinates<d>> x, double scale, do
     return all;
 }
 
-/// d + 1 vertices that span the space, the first ones that there are, in positive order. False: there are none.
+/// The first d + 1 vertices that span the space, in positive order. Returns false if there are none.
 template <int d>
 bool Builder<d>::find_simplex() {
     Simplex& simplex = simplex_;
@@ -78,7 +78,7 @@ bool Builder<d>::find_simplex() {
     return found > d;
 }
 
-/// The simplex, and the cells at infinity behind its facets.
+/// The simplex, and the infinite cells behind its facets.
 template <int d>
 void Builder<d>::first_cells() {
     constexpr std::size_t expected = d == 2 ? 2 : 7;  // cells a vertex; threads leave some unused
@@ -87,7 +87,7 @@ void Builder<d>::first_cells() {
     cells_.used = corners + 1;
     cells[0].vertex = simplex_;
     for (std::size_t i = 0; i <= d; ++i) {
-        // Infinity beyond the facet makes the simplex negative; an even number of exchanges takes it out of slot 0.
+        // Infinity beyond the facet makes the simplex negative. An even number of exchanges takes it out of slot 0.
         auto& w = cells[i + 1].vertex = simplex_;
         w[i] = cells_.infinity;
         std::swap(w[i == 0 ? 1 : 0], w[i == d ? d - 1 : d]);
@@ -96,7 +96,7 @@ void Builder<d>::first_cells() {
             std::swap(w[d - 1], w[d]);
         }
     }
-    // Any two of them share the facet without the corner that only the one has.
+    // Two of these cells share the facet without the corner that only the first one has.
     const auto slot_but = [&cells](Cell c, Cell other) {
         const auto& there = cells[other].vertex;
         std::size_t i = 0;
@@ -114,7 +114,7 @@ void Builder<d>::first_cells() {
     inserter_.begin(cells_);
 }
 
-/// First with half-facets as they are named here, since numbers of cells are known only when all have one.
+/// First copies half-facets under their numbers here, since the new numbers are known only when all cells have one.
 template <int d>
 void Builder<d>::copy_to(Corner_table<d>& table, std::size_t bound, int threads) {
     const std::size_t count = cell_order_.group(cells_, threads);

@@ -14,24 +14,24 @@
 
 namespace annulus {
 
-/// The circumsphere of a cell, kept with it, so that a point is tested by d multiplications for the cell and not by a
-/// determinant of it: 2D and 3D share the formula.
+/// The circumsphere of a cell, stored with it. A point is then tested by d multiplications with stored values, without
+/// a determinant of the cell. 2D and 3D share the formula.
 ///
 /// With the corners relative to one of them, p, and |b|^2 appended, the empty-sphere determinant of a point q is
 ///   value(q) = |q - p|^2 D - (q - p) . N,
-/// D the determinant of the corners (twice the area, six times the volume) and N their generalised cross product
-/// weighted by the squares: negative when q is inside, for a positive cell. Of a cell at infinity, whose corner at
-/// infinity is taken as b = 0 with |b|^2 = m^2, D is 0 and N the outward normal of its finite facet: negative when q is
-/// beyond the facet, and no branch tells the two kinds apart.
+/// where D is the determinant of the corners (twice the area, six times the volume) and N their generalised cross
+/// product weighted by the squares. It is negative when q is inside, for a positive cell. For an infinite cell the
+/// corner at infinity is taken as b = 0 with |b|^2 = m^2. Then D is 0 and N the outward normal of the finite facet:
+/// the value is negative when q is beyond the facet, and no branch distinguishes the two kinds of cells.
 ///
-/// N and D are divided by t^d, t the power of two above the largest coordinate m of the corners, so that bounds and
-/// values of large and small cells are alike. Error, for R = |q - p| and coordinates of q - p up to r <= R: of the two
-/// terms at most s u m^d r^2 and l u m^(d+1) r (bounds::cached_sphere_d_square, _linear;
-/// proofs/gappa/cached_sphere_d.g), and of their difference u times their sum, at most a m^d r^2 + b m^(d+1) r (a = 4,
-/// b = 8 in 2D, 18 and 54 in 3D: the largest values of the terms). With 2 r m <= r^2 + m^2 and m < t that is at most
-/// unit (R^2 + t^2) for a unit of s + a + (l + b) / 2 times u, and of more: the rest covers the rounding of R^2 and of
-/// the bound itself. It holds for t between 2^-200 and 2^60; `bound` is infinite outside, and at least 2^-120, which
-/// covers what underflows. Round to nearest.
+/// N and D are divided by t^d, where t is the power of two above the largest coordinate m of the corners, so that
+/// bounds and values of large and small cells are similar. Error, for R = |q - p| and coordinates of q - p up to r <=
+/// R: that of the two terms is at most s u m^d r^2 and l u m^(d+1) r (bounds::cached_sphere_d_square, _linear;
+/// proofs/gappa/cached_sphere_d.g), and that of their difference u times their sum, at most a m^d r^2 + b m^(d+1) r (a
+/// = 4, b = 8 in 2D, 18 and 54 in 3D: the largest values of the terms). With 2 r m <= r^2 + m^2 and m < t the total is
+/// at most unit (R^2 + t^2) for a unit of s + a + (l + b) / 2 times u. The unit used is larger: the rest covers the
+/// rounding of R^2 and of the bound itself. This holds for t between 2^-200 and 2^60; `bound` is infinite outside, and
+/// at least 2^-120, which covers underflow. Round to nearest.
 template <int d>
 struct Cached_sphere {
     static constexpr double units = d == 3 ? 1024 : 128;
@@ -44,8 +44,7 @@ struct Cached_sphere {
     std::array<double, static_cast<std::size_t>(d)> normal;
     double determinant;
 
-    /// What is certain of a point: its value, and that the sign of it is right where it is above the bound in
-    /// magnitude.
+    /// The value at a point and its error bound: the sign is right where the value is above the bound in magnitude.
     struct Value {
         double value;
         double bound;
@@ -63,7 +62,7 @@ struct Cached_sphere {
     }
 };
 
-/// A corner relative to p, with its square; of infinity zeros, and -1 until m is there.
+/// A corner relative to p, with its square; for infinity zeros, and -1 until m is known.
 template <int d>
 struct Lifted {
     std::array<double, static_cast<std::size_t>(d)> from{};
@@ -100,7 +99,8 @@ template <int d>
 
 }  // namespace detail
 
-/// The sphere of a positive cell p, a, b (, c), one of which but p may be infinity; `bound` receives its constant.
+/// The sphere of a positive cell p, a, b (, c), where one corner other than p may be infinity. `bound` receives its
+/// constant.
 [[nodiscard]] inline Cached_sphere<2> cached_sphere(Lifted<2> a, Lifted<2> b, float& bound) {
     const double m = std::max(a.magnitude(), b.magnitude());
     if (a.square < 0) a.square = m * m;

@@ -29,7 +29,7 @@ void one_by_one(Cells& g, std::span<const std::uint32_t> made) {
 
 #define ANNULUS_AVX2 __attribute__((target("avx2"), always_inline)) inline
 
-/// A corner of four cells relative to p: Lifted of each, bit for bit.
+/// A corner of four cells relative to p: the same bits as Lifted of each.
 struct Four {
     __m256d x, y, z, square;
 };
@@ -61,7 +61,7 @@ ANNULUS_AVX2 __m256d magnitude(const Four& f) {
                          _mm256_andnot_pd(sign, f.z));
 }
 
-/// 1 / t of power_above() for four cells, whose bounds are written down.
+/// 1 / t of power_above() for four cells; stores their bounds.
 ANNULUS_AVX2 __m256d inverse_powers(__m256d m, Cells& g, const std::array<std::uint32_t, 4>& cell) {
     const __m256d in_range = _mm256_and_pd(_mm256_cmp_pd(m, _mm256_set1_pd(0x1p-200), _CMP_GE_OQ),
                                            _mm256_cmp_pd(m, _mm256_set1_pd(0x1p60), _CMP_LE_OQ));
@@ -87,12 +87,12 @@ ANNULUS_AVX2 __m256d inverse_powers(__m256d m, Cells& g, const std::array<std::u
     return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_set1_epi64x(2046LL << 52), power));
 }
 
-/// All of them have one vertex in slot 0.
+/// Precondition: all cells have the same vertex in slot 0.
 __attribute__((target("avx2"))) void four_at_a_time(Cells& g, std::span<const std::uint32_t> made) {
     const Coordinates<3>& at = g.at(g.cells[made[0]].vertex[0]);
     const __m256d p[3] = {_mm256_set1_pd(at[0]), _mm256_set1_pd(at[1]), _mm256_set1_pd(at[2])};
     for (std::size_t k = 0; k < made.size(); k += 4) {
-        std::array<std::uint32_t, 4> cell;  // the last one again where there are fewer
+        std::array<std::uint32_t, 4> cell;  // the last one repeated where there are fewer
         for (std::size_t i = 0; i < 4; ++i) cell[i] = made[std::min(k + i, made.size() - 1)];
         const Four a = four(g, cell, 1, p), b = four(g, cell, 2, p), c = four(g, cell, 3, p);
         const __m256d t =

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// The spheres of these cells, none of which is at infinity, and their bounds: cached_sphere of each. Four at a time
-/// where the processor can (AVX2), with the same operations, so that not a bit depends on it.
+/// Computes the cached_sphere and the bound of each of these cells, none of which is infinite. Four at a time where
+/// the processor has AVX2, with the same operations, so that every bit is the same.
 void cached_spheres(Growing_cells<3>& cells, std::span<const std::uint32_t> made);
 
 }  // namespace annulus

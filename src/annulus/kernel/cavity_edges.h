@@ -10,14 +10,14 @@
 
 namespace annulus {
 
-/// Finds neighbours among the new cells {v, facet of the border} in 3D: two of them share a facet when their facets
-/// of the border share an edge, which they run through in opposite directions. For each insertion its vertices are
-/// renumbered, so that a directed edge is an entry of a small table.
+/// Finds neighbours among the new cells {v, facet of the border} in 3D: two of them share a facet when their border
+/// facets share an edge, in opposite directions. The vertices are renumbered for each insertion, so that a directed
+/// edge is an entry of a small table.
 class Cavity_edges {
   public:
-    static constexpr std::uint32_t few = 64;  ///< vertices of a border: all but one in a thousand have fewer
+    static constexpr std::uint32_t few = 64;  ///< vertices of a border: only one border in a thousand has more
 
-    /// Before the first of as many borders as there are vertices, at most.
+    /// To be called before the first border. At most `vertices` borders may follow, of vertices below that number.
     void begin(std::size_t vertices) {
         constexpr std::uint32_t many_rounds = std::uint32_t{1} << 31;
         if (number_.size() != vertices || round_ > many_rounds) {
@@ -26,9 +26,9 @@ class Cavity_edges {
         }
         if (few_.empty()) few_.resize(few * few);
     }
-    /// Calls work(number) for a new border, number(v) being the number of v, from 0 in the order in which vertices are
-    /// met. One in five of those asked is new, which no processor predicts: no branch, nor `?:`, of which compilers
-    /// make one.
+    /// Calls work(number) for a new border. number(v) is the number of v, counted from 0 in the order in which
+    /// vertices are first met. One in five of the calls meets a new vertex, which no processor predicts: so there is
+    /// no branch, and no `?:`, of which compilers make one.
     template <class Work>
     void with_numbers(Work work) {
         ++round_;
@@ -48,7 +48,7 @@ class Cavity_edges {
         return static_cast<std::uint32_t>(number_[static_cast<std::size_t>(v)] >> 32) == round_;
     }
 
-    /// Calls work(entry), entry(a, b) being what is noted of the directed edge between two numbers: undefined until it
+    /// Calls work(entry). entry(a, b) is what is stored for the directed edge between two numbers; undefined until it
     /// is written.
     template <class Work>
     void with_edges(std::size_t facets, Work work) {
@@ -73,9 +73,9 @@ class Cavity_edges {
   private:
     static constexpr std::uint64_t nothing = ~std::uint64_t{0};
 
-    std::vector<std::uint64_t> number_;  // by vertex: the border in which it was met last, and its number then
+    std::vector<std::uint64_t> number_;  // by vertex: the border in which it was met last, and its number there
     std::uint32_t round_ = 0, met_ = 0;
-    std::vector<std::uint32_t> few_;  // what is read was written for the same border
+    std::vector<std::uint32_t> few_;  // entries that are read were written for the same border
     struct Slot {
         std::uint64_t key;
         std::uint32_t half_facet;

@@ -12,9 +12,9 @@ namespace annulus {
 namespace {
 constexpr int most_rounds = 40;
 constexpr std::uint32_t nothing = ~std::uint32_t{0};
-constexpr std::size_t many = 1U << 14;  // points: memory for so many is not kept
+constexpr std::size_t many = 1U << 14;  // points: memory for more is not kept
 
-/// A vertex that is named for the length of a call, however that ends.
+/// A vertex that is set for the duration of a call, however the call ends.
 class Set_for_call {
   public:
     Set_for_call(Index& name, Index v) : name_(name) { name_ = v; }
@@ -44,7 +44,7 @@ bool Cavity_retriangulator<d>::rebuild(std::span<const Coordinates<d>> x, std::s
     for (const Cell_index c : cells) mark(c, 1);
     std::vector<Cell_index> cavity;
     for (const Cell_index first : cells) {
-        // Cells that were marked and are still there have not been met in an earlier cavity.
+        // A cell that exists and still has mark 1 has not been met in an earlier cavity.
         if (!marks_.of.has(first) || marks_.of[first] != 1 || !table_.is_cell(first)) continue;
         cavity.assign(1, first);
         mark(first, 2);
@@ -114,7 +114,7 @@ bool Cavity_retriangulator<d>::remove(std::span<const Coordinates<d>> x, std::sp
     return rebuild(x, cells, most, touched);
 }
 
-/// False when the vertices are flat, or two of them are at one place.
+/// Returns false when the vertices are flat, or two of them are at one position.
 template <int d>
 bool Cavity_retriangulator<d>::triangulate(std::span<const Coordinates<d>> x) {
     try {
@@ -158,7 +158,7 @@ bool Cavity_retriangulator<d>::fill(std::span<const Cell_index> cavity, std::vec
             if (marks_.of[table_.cell_of(twin)] != 2) border_.add(Facet_side<d>(sites, i), twin);
         }
     }
-    std::vector<Cell_index> twice;  // beyond facets that are there twice, or from both sides: the cavity bends back
+    std::vector<Cell_index> twice;  // beyond facets that occur twice, or from both sides: the cavity bends back
     border_.index([&](std::size_t k, std::size_t j) {
         twice.push_back(cell_beyond(k));
         twice.push_back(cell_beyond(j));

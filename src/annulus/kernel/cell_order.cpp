@@ -8,7 +8,7 @@ namespace annulus {
 
 namespace {
 
-/// What was there; several threads may do so at once where it is shared.
+/// Adds one and returns the previous value. Several threads may do so at once where it is `shared`.
 template <bool shared>
 std::uint32_t add_one(std::uint32_t& x) {
     if constexpr (shared) return std::atomic_ref(x).fetch_add(1, std::memory_order_relaxed);

@@ -11,12 +11,13 @@
 
 namespace annulus {
 
-/// Puts the cells of a finished triangulation in an order that depends on the triangulation and on ranks alone, not on
-/// who made them when: by the largest rank of a vertex, then by the others. In slot 0 is the vertex of the largest rank
-/// (infinity counts as none), in slot 1 in 3D the least of the others, and the rest follow from the orientation.
+/// Puts the cells of a finished triangulation in an order that depends only on the triangulation and on ranks, not on
+/// which thread made them when: by the largest rank of a vertex, then by the others. Slot 0 has the vertex of the
+/// largest rank (infinity does not count), slot 1, in 3D, the least of the others, and the rest follow from the
+/// orientation.
 ///
-/// Ranks follow a curve through space in the last round of insertion, which most cells are of, so cells that are near
-/// one another in the order are so in space, too.
+/// In the last round of insertion, which most cells come from, ranks follow a space-filling curve. So cells that are
+/// near one another in the order are near in space, too.
 template <int d>
 class Cell_order {
   public:
@@ -24,13 +25,13 @@ class Cell_order {
     using Cell = typename Cells::Cell;
     using Rank = typename Cells::Rank;
 
-    /// Finds out how many cells there are, and which of them share their largest rank. O(n). Throws bad_alloc.
+    /// Counts the cells, and groups them by their largest rank. O(n). Throws bad_alloc.
     [[nodiscard]] std::size_t group(const Cells& cells, int threads);
-    /// After that: calls write(number, vertices as ranks, half-facets across) for each cell, by which its number is
-    /// known. In the order of numbers where there is one thread. O(n), with n log n of those that share a rank.
+    /// To be called after group(). Calls write(number, vertices as ranks, half-facets across) for each cell and its
+    /// new number; in the order of numbers if there is one thread. O(n), plus O(n log n) for those that share a rank.
     template <class Write>
     void number(const Cells& cells, int threads, Write write);
-    /// A half-facet as 4 * number + slot, when all cells have their numbers.
+    /// A half-facet as 4 * number + slot. Precondition: all cells have their numbers.
     [[nodiscard]] std::uint32_t renamed(std::uint32_t h) const {
         static constexpr Slots fresh = new_slots();
         return 4 * number_[h >> 2] + fresh[turn_[h >> 2]][h & 3U];
@@ -38,20 +39,20 @@ class Cell_order {
 
   private:
     static constexpr std::size_t corners = d + 1;
-    static constexpr std::size_t run = 1U << 14;           ///< cells, or vertices, of one thread at once
+    static constexpr std::size_t run = 1U << 14;           ///< cells, or vertices, that a thread takes at once
     static constexpr std::size_t turns = d == 2 ? 3 : 12;  ///< even permutations of the corners
     using Slots = std::array<std::array<std::uint8_t, 4>, turns>;
-    /// Of each turn the old slots by the new ones, and the other way around.
+    /// For each turn the old slots by new slot, and the new slots by old slot.
     static constexpr Slots old_slots();
     static constexpr Slots new_slots();
 
     [[nodiscard]] static std::uint8_t turn_of(const std::array<Rank, corners>& vertices, Rank infinity);
-    /// Its vertices and what is across, by new slots.
+    /// The vertices of a cell and the half-facets across, by new slots.
     struct Turned {
         std::array<Rank, corners> vertices;
         std::array<std::uint32_t, corners> across;
         Cell cell;
-        /// What orders cells of one largest rank, and, with the orientation, tells them apart.
+        /// The sorting key of cells with the same largest rank; together with the orientation it tells them apart.
         [[nodiscard]] std::uint64_t rest() const {
             return std::uint64_t{static_cast<std::uint32_t>(vertices[1])} << 32 |
                    static_cast<std::uint32_t>(vertices[2]);
@@ -76,8 +77,8 @@ class Cell_order {
     template <class Write>
     void number_group(const Cells& cells, std::size_t first, std::size_t last, std::size_t end, Write& write);
 
-    Default_init_vector<std::uint32_t> end_;     // by rank: where those cells end of which it is the largest
-    Default_init_vector<Cell> cell_;             // by number, but for the order within a group
+    Default_init_vector<std::uint32_t> end_;     // by rank: where the cells end of which it is the largest
+    Default_init_vector<Cell> cell_;             // by number, except for the order within a group
     Default_init_vector<std::uint32_t> number_;  // by cell; before that, its largest rank
     Default_init_vector<std::uint8_t> turn_;     // by cell
 };
@@ -131,7 +132,7 @@ void Cell_order<d>::number_group(const Cells& cells, std::size_t first, std::siz
         for (std::size_t k = first; k < last; ++k) name(k, turned(cells, cell_[k]));
         return;
     }
-    // Counted, not sorted: some seven of them, in an order that no processor predicts.
+    // Sorted by counting: a group has some seven cells, in an order that no processor predicts.
     const std::size_t size = last - first;
     std::array<Turned, few> group;
     std::array<std::uint64_t, few> rest;

@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Leaves elements of trivial types as they are when a vector grows, which costs a pass over memory less.
+/// Leaves elements of trivial types uninitialised when a vector grows, which saves a pass over memory.
 template <class T>
 class Default_init_allocator : public std::allocator<T> {
   public:
@@ -32,7 +32,7 @@ class Default_init_allocator : public std::allocator<T> {
     }
 };
 
-/// A vector whose elements have no value until one is written. T is trivially copyable.
+/// A vector whose elements have no value until one is written. T must be trivially copyable.
 template <class T>
 using Default_init_vector = std::vector<T, Default_init_allocator<T>>;
 

@@ -26,7 +26,7 @@ template <int d>
 void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x) {
     vertices_.assign(x.size());
     rebuild(x);
-    builder_->release();  // some are never rebuilt
+    builder_->release();  // some meshes are never rebuilt
 }
 
 template <int d>
@@ -43,7 +43,7 @@ void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
     find_basis(x);
 }
 
-/// Whether p is outside of the affine hull of the vertices, which is not the whole space.
+/// Whether p is outside the affine hull of the vertices, which is not the whole space.
 template <int d>
 bool Delaunay_mesh<d>::spans_more(std::span<const Coordinates<d>> positions, const Coordinates<d>& p) const {
     std::array<const Coordinates<d>*, static_cast<std::size_t>(d)> independent{};
@@ -51,7 +51,7 @@ bool Delaunay_mesh<d>::spans_more(std::span<const Coordinates<d>> positions, con
     return annulus::spans_more<d>(std::span(independent).first(basis_.size()), p);
 }
 
-/// And the dimension. Precondition: it is less than d.
+/// Finds a basis and the dimension. Precondition: the dimension is less than d.
 template <int d>
 void Delaunay_mesh<d>::find_basis(std::span<const Coordinates<d>> x) {
     basis_.clear();
@@ -75,8 +75,8 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
     dimension_ = -1;
 }
 
-/// The same under other numbers, all of which `made` receives: the table does not become smaller, since the engine
-/// may have noted some.
+/// Rebuilds all cells under other indices, all of which `made` receives. The table does not become smaller, since the
+/// engine may have recorded some indices.
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
     if (!builder_->build(x, vertices_.list())) throw std::logic_error("points that had cells are flat");
@@ -87,7 +87,7 @@ void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std
     replace_cells<d>(table_, old, cells, made);
 }
 
-/// Of what was listed from `first` on those that there are, once.
+/// Keeps of the entries from `first` on those that are cells, each once.
 template <int d>
 void Delaunay_mesh<d>::keep_present(std::vector<Cell_index>& cells, std::size_t first) const {
     const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first);
@@ -96,7 +96,7 @@ void Delaunay_mesh<d>::keep_present(std::vector<Cell_index>& cells, std::size_t 
     cells.erase(std::remove_if(begin, std::unique(begin, cells.end()), gone), cells.end());
 }
 
-/// What is outside of them is Delaunay there, and so were they.
+/// The cells outside are Delaunay at `positions`, and so were the changed ones before the call.
 template <int d>
 void Delaunay_mesh<d>::restore_cells(std::span<const Coordinates<d>> positions, std::span<const Cell_index> cells,
                                      std::vector<Cell_index>& made) {
@@ -131,7 +131,7 @@ bool Delaunay_mesh<d>::is_taken(std::span<const Coordinates<d>> positions, const
     return is_at_corner(positions, p, locate(positions, p, but), but);
 }
 
-/// Whether a vertex of c, but one, is at p.
+/// Whether a vertex of c other than `but` is at p.
 template <int d>
 bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Cell_index c,
                                     Index but) const {
@@ -140,7 +140,7 @@ bool Delaunay_mesh<d>::is_at_corner(std::span<const Coordinates<d>> positions, c
     return std::any_of(vertices.begin(), vertices.end(), is_there);
 }
 
-/// v goes to p, where there is no vertex, in the cell `place`.
+/// Inserts v at p, where there is no vertex, in the cell `place`.
 template <int d>
 void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p, Cell_index place,
                               std::vector<Cell_index>& changed) {
@@ -155,7 +155,7 @@ void Delaunay_mesh<d>::attach(std::span<Coordinates<d>> positions, Index v, cons
     keep_present(changed, first);
 }
 
-/// False, with nothing changed, when the rest would be flat.
+/// Returns false, with nothing changed, when the remaining vertices would be flat.
 template <int d>
 bool Delaunay_mesh<d>::detach(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed) {
     if (dimension_ != d || vertices() <= d + 1U) return false;
@@ -185,7 +185,7 @@ bool Delaunay_mesh<d>::insert(std::span<Coordinates<d>> positions, Index v, cons
     return true;
 }
 
-/// There are no cells to change unless v spans the space with the others.
+/// There are no cells to change unless v spans the space together with the others.
 template <int d>
 void Delaunay_mesh<d>::insert_flat(std::span<const Coordinates<d>> positions, Index v) {
     if (spans_more(positions, positions[at(v)])) {

@@ -15,14 +15,13 @@
 
 namespace annulus {
 
-/// What a move of one vertex came to. `refused`: another vertex is there, and nothing has changed.
+/// The result of moving one vertex. `refused`: another vertex is there, and nothing has changed.
 enum class Relocation { refused, kept, reinserted };
 
-/// A Delaunay triangulation of vertices, which indices name: which vertices it has, and its cells, which are a
-/// Corner_table and nothing else. It is built, inserted into and removed from here; the engine changes the table by
-/// flips.
+/// A Delaunay triangulation: which indices are vertices, and the cells, which are stored only in a Corner_table. This
+/// class builds it and inserts and removes vertices; the engine changes the table by flips.
 ///
-/// Positions are their owner's (Update_strategy) and come with each call: `positions` are those at which the
+/// Positions belong to the Update_strategy and are passed to each call: `positions` are those at which the
 /// triangulation is Delaunay.
 template <int d>
 class Delaunay_mesh {
@@ -44,56 +43,57 @@ class Delaunay_mesh {
     /// Whether v is in the triangulation. Precondition: v is below the bound.
     [[nodiscard]] bool has(Index v) const { return vertices_.has(v); }
 
-    /// Where insertions and moves begin to look for their place, and how far they have walked.
+    /// Where insertions and moves begin the search for their position, and how far they have walked.
     [[nodiscard]] const Landmarks<d>& landmarks() const { return landmarks_; }
 
-    /// By at most how many threads everything is built; the result does not depend on it.
+    /// The largest number of threads for a build; the result does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
-    /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point) naming the pair when two points are equal,
-    /// Error(too_large). Expected O(n).
+    /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point), naming the pair, when two points are
+    /// equal, and Error(too_large). Expected O(n).
     void build(std::span<const Coordinates<d>> x);
-    /// Rebuilds everything at x. Throws the same, with nothing changed.
+    /// Rebuilds everything at x. Throws the same errors, with nothing changed.
     void rebuild(std::span<const Coordinates<d>> x);
-    /// The same after a call that failed half way: x has a position for every index there is to be, `fresh` (or
-    /// `none`) is one that the call inserted.
+    /// The same after a call that failed half way: x has a position for every index that is to exist. `fresh` (or
+    /// `none`) is a vertex that the call inserted.
     void restore(std::span<const Coordinates<d>> x, Index fresh);
-    /// No cells, until a rebuild.
+    /// Removes all cells, until a rebuild.
     void clear_cells() noexcept;
-    /// Rebuilds what took the place of these cells, which a call has changed and which are Delaunay at `positions`
-    /// again afterwards, as all others are; `made` receives them. O(k log k) for k cells.
+    /// Rebuilds what is now at these indices, whose cells a call has changed. Afterwards all cells are Delaunay at
+    /// `positions` again. `made` receives the new cells. O(k log k) for k cells.
     void restore_cells(std::span<const Coordinates<d>> positions, std::span<const Cell_index> cells,
                        std::vector<Cell_index>& made);
 
-    // Given `positions` to write in, it writes positions[v] = p unless nothing has changed.
+    // Functions that receive `positions` to write in write positions[v] = p unless nothing has changed.
     /// Inserts p as vertex v (a new index, for which there is room, or a free one); `changed` receives the new cells.
     /// Expected O(degree of v) after locating; O(n) with a small constant where all vertices lie in a hyperplane.
-    /// False, with nothing changed, when a vertex is there.
+    /// Returns false, with nothing changed, when a vertex is there.
     [[nodiscard]] bool insert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                               std::vector<Cell_index>& changed);
-    /// Removes v, whose index becomes free.
+    /// Removes v; its index becomes free.
     void remove(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed);
-    /// Takes v out and puts it back in at p; `changed` receives the new cells. False, with nothing changed, when the
-    /// rest would be flat. Throws Error(duplicate_point), with nothing changed, when another vertex is there.
+    /// Removes v and inserts it again at p; `changed` receives the new cells. Returns false, with nothing changed,
+    /// when the remaining vertices would be flat. Throws Error(duplicate_point), with nothing changed, when another
+    /// vertex is there.
     [[nodiscard]] bool reinsert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed);
 
-    /// The paper's baseline: a move of one vertex by a removal and an insertion.
+    /// The paper's baseline: moves one vertex by a removal and an insertion.
     [[nodiscard]] Relocation relocate(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p);
-    /// The same where a topological change is needed, else nothing but the position is written (paper 3.1).
+    /// The same where a topological change is needed; otherwise only the position is written (paper 3.1).
     [[nodiscard]] Relocation relocate_in_place(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p);
 
-    /// Appends the vertices of every finite cell, at `positions`, or of what is the largest there is of lower dimension
-    /// (padded with `none`).
+    /// Appends the vertices of every finite cell at `positions`; where the vertices are flat, those of the simplices
+    /// of the largest dimension that exists (padded with `none`).
     void list_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
-    /// The same, and those with infinity, where there are any of dimension d.
+    /// The same with the infinite cells, if there are any of dimension d.
     void list_all_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
     /// The finite cells and their neighbours; vertices are below `bound`. O(n).
     [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> positions, std::size_t bound) const;
-    /// What there is where the vertices lie in a hyperplane. O(n log n). Precondition: dimension() < d.
+    /// The triangulation of vertices that lie in a hyperplane. O(n log n). Precondition: dimension() < d.
     [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> positions) const {
         return annulus::flat_cells<d>(positions, vertices_.list());
     }
-    /// Least tolerance of the certificates of v, certified. Precondition: dimension d.
+    /// Least tolerance of the certificates of v, a certified lower bound. Precondition: dimension d.
     [[nodiscard]] double star_tolerance(std::span<const Coordinates<d>> positions, Index v) const;
     /// Least theta of the finite bi-cells that contain v; pi/2 when there is none.
     [[nodiscard]] double theta(std::span<const Coordinates<d>> positions, Index v) const;
@@ -108,12 +108,12 @@ class Delaunay_mesh {
     void insert_flat(std::span<const Coordinates<d>> positions, Index v);
     void replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made);
     void keep_present(std::vector<Cell_index>& cells, std::size_t first) const;
-    /// More than that is not rebuilt in part.
+    /// The number of points above which a part is not rebuilt.
     [[nodiscard]] std::size_t everything() const { return vertices_.size() + 64; }
     void attach(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p, Cell_index place,
                 std::vector<Cell_index>& changed);
     [[nodiscard]] bool detach(std::span<const Coordinates<d>> positions, Index v, std::vector<Cell_index>& changed);
-    /// Where p is (walk_to); own, or none, is a vertex that may be near. Precondition: dimension d.
+    /// The cell where p is (walk_to). `own`, or none, is a vertex that may be near. Precondition: dimension d.
     [[nodiscard]] Cell_index locate(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Index own);
     [[nodiscard]] bool is_taken(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Index but);
     [[nodiscard]] bool is_at_corner(std::span<const Coordinates<d>> positions, const Coordinates<d>& p, Cell_index c,
@@ -122,7 +122,7 @@ class Delaunay_mesh {
     Corner_table<d> table_;
     Vertex_set vertices_;
     int dimension_ = -1;
-    // Affinely independent vertices that span what all do, where that is a hyperplane or less.
+    // Affinely independent vertices with the affine hull of all, where that is a hyperplane or less.
     std::vector<Index> basis_;
     int threads_ = 1;
     std::unique_ptr<Builder<d>> builder_;

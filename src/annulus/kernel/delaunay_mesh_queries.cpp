@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay_mesh: what is read off it.
+// Delaunay_mesh: its queries.
 #include <annulus/kernel/delaunay_mesh.h>
 
 #include <annulus/mesh/table_measures.h>
@@ -60,15 +60,15 @@ Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> positions) co
     return m;
 }
 
-#define ANNULUS_READINGS(d)                                                                                     \
+#define ANNULUS_INSTANTIATE(d)                                                                                  \
     template void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const;     \
     template void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
     template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>, std::size_t) const;         \
     template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const;             \
     template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;                      \
     template Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>>) const;
-ANNULUS_READINGS(2)
-ANNULUS_READINGS(3)
-#undef ANNULUS_READINGS
+ANNULUS_INSTANTIATE(2)
+ANNULUS_INSTANTIATE(3)
+#undef ANNULUS_INSTANTIATE
 
 }  // namespace annulus

@@ -15,13 +15,13 @@ namespace annulus {
 
 namespace {
 
-/// Another value than c, some `distance` away, no further from 0 than the larger of them.
+/// A value other than c, about `distance` away, not further from 0 than the larger of the two.
 double beside(double c, double distance) {
     const double other = c > 0 ? c - distance : c + distance;
     return other != c ? other : std::nextafter(c, c > 0 ? 0.0 : 1.0);
 }
 
-/// By position.
+/// Sorts vertices by position.
 template <int d>
 void sort_by_position(std::span<const Coordinates<d>> x, std::vector<Index>& vertices) {
     const auto key = [x](Index i) -> const Coordinates<d>& { return x[static_cast<std::size_t>(i)]; };
@@ -29,7 +29,7 @@ void sort_by_position(std::span<const Coordinates<d>> x, std::vector<Index>& ver
               [&key](Index l, Index r) { return key(l) != key(r) ? key(l) < key(r) : l < r; });
 }
 
-/// A ring: from infinity along the line and back. Cell k is {ring k, ring k + 1}.
+/// Makes the cells of a ring that runs from infinity along the line and back. Cell k is {ring k, ring k + 1}.
 void segments(const std::vector<Index>& along, Flat_cells& out) {
     const auto n = static_cast<Index>(along.size()) + 1;  // of the ring
     const auto ring = [&](Index k) { return k % n == 0 ? infinite : along[static_cast<std::size_t>(k % n) - 1]; };
@@ -39,9 +39,9 @@ void segments(const std::vector<Index>& along, Flat_cells& out) {
     }
 }
 
-/// With a point outside of the plane, the apex, every finite cell is the cone from there to a Delaunay triangle: its
-/// sphere cuts the plane in the circle of the triangle. So the triangles, and those with infinity, are the facets
-/// that the cells around the apex turn away from it.
+/// Adds a point outside the plane, the apex. Every finite cell is then the cone from it to a Delaunay triangle: its
+/// sphere cuts the plane in the circle of the triangle. So the triangles, and the infinite cells, are the facets that
+/// the cells around the apex turn away from it.
 void triangles(std::span<const Coordinates<3>> x, std::vector<Index> vertices, std::size_t axis, Flat_cells& out) {
     std::vector<Coordinates<3>> with_apex(x.begin(), x.end());
     Coordinates<3> apex = x[static_cast<std::size_t>(vertices[0])];

@@ -11,23 +11,23 @@
 namespace annulus {
 
 /// The Delaunay triangulation of vertices that lie in a hyperplane, and of infinity: segments between neighbours on a
-/// line, triangles in a plane of space, each with infinity where it is a facet's of the hull. All cells are turned the
-/// same way.
+/// line, or triangles in a plane in 3D; each facet of the hull makes a cell with infinity. All cells have the same
+/// orientation.
 struct Flat_cells {
     int dimension = -1;                            ///< affine, of the vertices; there are cells where it is 1 or 2
-    std::vector<std::array<Index, 3>> vertices;    ///< dimension + 1 a cell, then `none`
+    std::vector<std::array<Index, 3>> vertices;    ///< dimension + 1 for each cell, then `none`
     std::vector<std::array<Index, 3>> neighbours;  ///< the cell opposite to each vertex, then `none`
 };
 
-/// Of these vertices, at x; some of them, in any order, where they are in one place of x each. O(n log n).
+/// The flat cells of these vertices, at x. Of vertices at one position it uses one, in any order. O(n log n).
 template <int d>
 [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
 
-/// Throws Error(duplicate_point) naming two vertices that are at one place. O(n log n).
+/// Throws Error(duplicate_point), naming two vertices at one position. O(n log n).
 template <int d>
 void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
 
-/// Whether p is outside of the affine hull of points that are affinely independent, d of them at most. O(1).
+/// Whether p is outside the affine hull of affinely independent points, d of them at most. O(1).
 template <int d>
 [[nodiscard]] bool spans_more(std::span<const Coordinates<d>* const> independent, const Coordinates<d>& p);
 

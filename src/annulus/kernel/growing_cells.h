@@ -14,7 +14,7 @@
 
 namespace annulus {
 
-/// A triangulation while Builder makes it. Vertices are ranks in the order of insertion, the last rank is infinity; a
+/// A triangulation while Builder makes it. Vertices are ranks in the order of insertion; the last rank is infinity. A
 /// cell is one line of 64 bytes with its sphere. Memory is kept from one build to the next.
 template <int d>
 struct Growing_cells {
@@ -22,7 +22,7 @@ struct Growing_cells {
     using Cell = std::uint32_t;        ///< its place in cells
     using Half_facet = std::uint32_t;  ///< 4 * cell + slot
     static constexpr Cell no_cell = ~Cell{0};
-    static constexpr std::size_t most_cells = std::size_t{1} << 30;  ///< whose half-facets have a name
+    static constexpr std::size_t most_cells = std::size_t{1} << 30;  ///< the most whose half-facets have an index
     static constexpr std::size_t corners = d + 1;
 
     struct Shape {
@@ -33,7 +33,7 @@ struct Growing_cells {
     struct Shape_with_bound : Shape {
         float bound;
     };
-    /// In 2D there is room for the bound in the line.
+    /// In 2D the line has room for the bound.
     struct alignas(64) Cell_data : std::conditional_t<d == 2, Shape_with_bound, Shape> {};
     /// A position and its scale (grid_scale).
     struct alignas(32) Site {
@@ -47,7 +47,7 @@ struct Growing_cells {
     std::size_t used = 0;               // cells below are in use or free
     Rank infinity = 0;
 
-    /// The bound of the sphere of a cell; negative: it is in the cavity, or gone.
+    /// The bound of the sphere of a cell; negative when the cell is in the cavity, or gone.
     [[nodiscard]] float& bound(Cell c) {
         if constexpr (d == 2) return cells[c].bound;
         else return bounds[c];
@@ -57,7 +57,7 @@ struct Growing_cells {
         else return bounds[c];
     }
     [[nodiscard]] bool is_cell(Cell c) const { return bound(c) > 0; }
-    /// What `used` may be, at most most_cells. The bounds grow last, so that this is right after bad_alloc, too.
+    /// The limit of `used`, at most most_cells. The bounds grow last, so that this is right even after bad_alloc.
     [[nodiscard]] std::size_t room() const { return d == 2 ? cells.size() : bounds.size(); }
     void make_room(std::size_t most) {
         most = std::min(most, most_cells);
@@ -79,20 +79,21 @@ struct Growing_cells {
             if (c.vertex[static_cast<std::size_t>(i)] == infinity) return i;
         return -1;
     }
-    /// What the kept sphere of c says of q.
+    /// The value of the cached sphere of c at q.
     [[nodiscard]] auto look(Cell c, const Coordinates<d>& q) const {
         const Cell_data& cell = cells[c];
         return cell.sphere.at(Lifted<d>(q, at(cell.vertex[0])).from, std::fabs(bound(c)));
     }
 };
 
-/// The slot k places after `slot`, in a circle; k <= d.
+/// The slot k places after `slot`, cyclically; k <= d.
 template <int d>
 constexpr std::uint32_t next_slot(std::uint32_t slot, std::uint32_t k) {
     return d == 3 ? (slot + k) & 3U : (slot + k < 3 ? slot + k : slot + k - 3);
 }
 
-/// The other corners of slot i, before which a point takes the orientation that the cell has with the point in slot i.
+/// The other corners of slot i: a point followed by them has the orientation that the cell has with the point in slot
+/// i.
 template <int d>
 constexpr auto facing() {
     if constexpr (d == 2) return std::array<std::array<std::uint8_t, 2>, 3>{{{1, 2}, {2, 0}, {0, 1}}};

@@ -23,7 +23,7 @@ double determinant(const std::array<double, 3>& u, const std::array<double, 3>& 
            (u[0] * v[1] - u[1] * v[0]) * w[2];
 }
 
-/// That of an orientation of differences up to m (bounds.h), and room for what underflows.
+/// The error bound of an orientation of differences up to m (bounds.h), with room for underflow.
 template <int d>
 double orientation_bound(double m) {
     constexpr double least = 0x1p-1050;
@@ -54,7 +54,7 @@ auto Inserter<d>::insert_in_partition(Rank v) -> Outcome {
     return insert_in<true>(v);
 }
 
-/// Beyond a cell at infinity the partition may end.
+/// Moves last_ to a finite new cell, if there is one: beyond an infinite cell the partition may end.
 template <int d>
 void Inserter<d>::leave_infinity() {
     for (std::size_t f = cavity_.border_size; f-- > 0;) {
@@ -89,13 +89,13 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     Cell c = start;
     blocker_ = g.infinity;
     if (const int i = g.slot_of_infinity(g.cells[c]); i >= 0) c = g.cells[c].across[static_cast<std::size_t>(i)] >> 2;
-    std::uint32_t from = corners;  // the slot across which it came
+    std::uint32_t from = corners;  // the slot across which the walk came
     for (std::uint32_t steps = 0;; ++steps) {
         const auto& cell = g.cells[c];
         if (shared && !partition_.has(c)) return Cells::no_cell;
-        // Where the vertex is postponed the next walk goes on from here, not from where the last one was inserted.
+        // If the vertex is postponed the next walk starts here, not where the last vertex was inserted.
         if (shared && g.slot_of_infinity(cell) < 0) last_ = c;
-        // Most walks end here, and those that leave the hull where they are strictly beyond a facet of it.
+        // Most walks end here. Walks that leave the hull end here when they are strictly beyond one of its facets.
         if (cell.sphere.at(Lifted<d>(q, g.at(cell.vertex[0])).from, g.bound(c)).inside() ||
             g.slot_of_infinity(cell) >= 0)
             return c;
@@ -130,8 +130,8 @@ auto Inserter<d>::locate(const Coordinates<d>& q, Cell start) -> Cell {
     }
 }
 
-/// The sphere of a cell at infinity is the half-space beyond its facet and, in the plane of the facet, the circle that
-/// its finite neighbour cuts there.
+/// The sphere of an infinite cell is the half-space beyond its facet and, in the plane of the facet, the disc that the
+/// sphere of its finite neighbour cuts out.
 template <int d>
 bool Inserter<d>::holds_exactly(Cell c, Rank v) const {
     const Cells& g = *cells_;
@@ -158,7 +158,7 @@ bool Inserter<d>::holds_exactly(Cell c, Rank v) const {
     return sphere_holds_exactly<d>(x, g.at(v));
 }
 
-/// A cell for each facet: first those of the cavity. What is too many of these is free.
+/// Takes a cell for each facet, those of the cavity first. Cells that are left over become free.
 template <int d>
 template <bool shared>
 bool Inserter<d>::take_cells() {
@@ -186,7 +186,7 @@ bool Inserter<d>::take_cells() {
     return true;
 }
 
-/// Unused cells that are this thread's from now on.
+/// Claims unused cells for this thread.
 template <int d>
 bool Inserter<d>::claim_block() {
     constexpr std::size_t block = 1024;

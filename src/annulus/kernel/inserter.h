@@ -11,9 +11,9 @@
 
 namespace annulus {
 
-/// Inserts vertices into Growing_cells: locate by a walk from where the last one went, find the cells whose sphere
-/// holds the vertex, replace them by cells between their border and the vertex. One for each thread, in cache lines of
-/// its own.
+/// Inserts vertices into Growing_cells: locates the vertex by a walk from the last one inserted, finds the cells whose
+/// sphere holds it (the cavity), and replaces them by cells between the cavity's border and the vertex. Each thread
+/// has its own Inserter, in its own cache lines.
 template <int d>
 class alignas(128) Inserter {
   public:
@@ -23,36 +23,36 @@ class alignas(128) Inserter {
     using Half_facet = typename Cells::Half_facet;
     enum class Outcome {
         inserted,
-        taken,      ///< a vertex is there
-        lost,       ///< the walk left the partition
-        postponed,  ///< the cells to replace are not all in the partition
+        taken,      ///< a vertex is at this position
+        lost,       ///< the walk left the thread partition
+        postponed,  ///< the cavity is not entirely in the thread partition
     };
 
-    /// Before the first vertex of a triangulation.
+    /// To be called before the first vertex of a triangulation.
     void begin(Cells& cells) {
         cells_ = &cells;
         free_.clear();
         last_ = 0;
         cavity_edges_.begin(d == 3 ? static_cast<std::size_t>(cells.infinity) + 1 : 0);
     }
-    /// Inserts v. False where a vertex is there, which blocker() names. Throws Error(too_large), bad_alloc.
+    /// Inserts v. Returns false where a vertex is there, which blocker() returns. Throws Error(too_large), bad_alloc.
     [[nodiscard]] bool insert(Rank v);
     [[nodiscard]] Rank blocker() const { return blocker_; }
     [[nodiscard]] Cells& cells() const { return *cells_; }
 
-    /// Goes on with another's triangulation, within a partition.
+    /// Continues another inserter's triangulation, within a thread partition.
     void start_in(const Thread_partition& partition, const Inserter& from);
-    /// After that, while no thread changes a cell: a finite cell of the partition near v, or no_cell. Searches go on
-    /// from one another.
+    /// To be called after that, while no thread changes a cell: a finite cell of the partition near v, or no_cell.
+    /// Each search starts where the previous one ended.
     [[nodiscard]] Cell start_near(Rank v);
-    /// Where the next walk begins: at a cell that start_near() gave. What was a cell of the partition is one still, or
-    /// free; then nothing is done.
+    /// Sets the start of the next walk to a cell that start_near() returned. A cell of the partition still is one, or
+    /// is free; then nothing is done.
     void start_at(Cell c) {
         if (cells_->is_cell(c)) last_ = c;
     }
-    /// Inserts v; with nothing changed but where the next walk begins where that fails.
+    /// Inserts v. On failure nothing has changed except where the next walk begins.
     [[nodiscard]] Outcome insert_in_partition(Rank v);
-    /// Takes over from another, that has started: its free cells, and where it was last.
+    /// Takes over from another started inserter: its free cells, and where it was last.
     void go_on_from(Inserter& other) {
         free_.insert(free_.end(), other.free_.begin(), other.free_.end());
         other.free_.clear();
@@ -61,33 +61,33 @@ class alignas(128) Inserter {
 
   private:
     static constexpr std::size_t corners = d + 1;
-    /// A facet of the border, turned so that with the new vertex before it the cell is positive.
+    /// A facet of the border, ordered so that with the new vertex before it the cell is positive.
     struct Facet {
         std::array<Rank, static_cast<std::size_t>(d)> vertex;
         Half_facet beyond;
-        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // of its vertices (Cavity_edges)
+        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // numbers of its vertices (Cavity_edges)
     };
     /// Buffers of one insertion.
     struct Cavity {
-        std::vector<Half_facet> entered;  ///< a half-facet of each of its cells; in 2D those that are still to cross
+        std::vector<Half_facet> entered;  ///< a half-facet of each of its cells; in 2D those still to cross
         std::vector<Half_facet> border;   ///< half-facets of its cells that lead out; in 2D counter-clockwise
-        std::vector<Cell> cells;          ///< its cells; then those that take its place, facet by facet
+        std::vector<Cell> cells;          ///< its cells; then those that replace them, facet by facet
         std::vector<Facet> facets;
         std::size_t size = 0, border_size = 0;
     };
 
     template <bool shared>
     [[nodiscard]] Outcome insert_in(Rank v);
-    /// A cell whose sphere holds q, found from `start`; no_cell where a vertex is at q, then blocker_, or where the
-    /// walk would leave the partition, then infinity.
+    /// A cell whose sphere holds q, found from `start`. Returns no_cell where a vertex is at q, with that vertex in
+    /// blocker_, or where the walk would leave the partition, with infinity in blocker_.
     template <bool shared>
     [[nodiscard]] Cell locate(const Coordinates<d>& q, Cell start);
     /// Whether the sphere of c holds vertex v, by the exact stage and the perturbation.
     [[nodiscard]] bool holds_exactly(Cell c, Rank v) const;
-    /// False where it leaves the partition; then nothing has changed.
+    /// Returns false where the cavity leaves the partition; then nothing has changed.
     template <bool shared>
     [[nodiscard]] bool find_cavity(Rank v, Cell first);
-    /// Takes the marks of the cells of the cavity back.
+    /// Removes the marks of the cells of the cavity.
     void unmark();
     template <bool shared>
     [[nodiscard]] bool take_cells();

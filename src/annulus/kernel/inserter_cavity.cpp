@@ -16,8 +16,8 @@ void Inserter<3>::unmark() {
     }
 }
 
-/// Cells and facets of its border are written down whether they belong there or not, and counted if they do: a branch
-/// would be mispredicted every other time.
+/// Cells and facets of the border are always written, and counted only if they belong: a branch would be mispredicted
+/// every other time.
 template <>
 template <bool shared>
 bool Inserter<3>::find_cavity(Rank v, Cell first) {
@@ -30,7 +30,7 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
     if (cavity.border.size() < room) cavity.border.resize(64);
     std::size_t cells = 1, facets = 0;
     bool abroad = false;
-    float elsewhere;  // of another partition nothing is written
+    float elsewhere;  // nothing is written in another partition
     const auto look = [&](Half_facet h) {
         const Half_facet t = g.cells[h >> 2].across[h & 3U];
         const Cell c = t >> 2;
@@ -70,7 +70,7 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
 template <>
 void Inserter<2>::unmark() {}  // marks are not needed
 
-/// Triangles of the cavity are a tree, since no vertex is inside: depth first, the border comes in its order.
+/// The triangles of the cavity form a tree, since no vertex is inside: a depth-first walk meets the border in order.
 template <>
 template <bool shared>
 bool Inserter<2>::find_cavity(Rank v, Cell first) {
@@ -78,7 +78,7 @@ bool Inserter<2>::find_cavity(Rank v, Cell first) {
     const Cells& g = *cells_;
     const Coordinates<d> q = g.at(v);
     auto& [crossing, border, cells, facets, size, border_size] = cavity_;
-    for (auto* buffer : {&crossing, &border, &cells})  // one by one: memory may run out in between
+    for (auto* buffer : {&crossing, &border, &cells})  // separately: memory may run out in between
         if (buffer->size() < 64) buffer->resize(64);
     std::size_t waiting = 0, found = 1, edges = 0;
     cells[0] = first;
@@ -93,7 +93,7 @@ bool Inserter<2>::find_cavity(Rank v, Cell first) {
             crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 1);
             cells[found++] = c;
             if (waiting + 2 > crossing.size()) crossing.resize(2 * crossing.size());
-            if (found + 3 > cells.size()) cells.resize(2 * cells.size());  // two more take their place
+            if (found + 3 > cells.size()) cells.resize(2 * cells.size());  // two more replace it
         } else {
             border[edges++] = h;
             if (edges == border.size()) border.resize(2 * border.size());

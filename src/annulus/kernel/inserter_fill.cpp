@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inserter: new cells in the place of a cavity.
+// Inserter: the new cells that replace a cavity.
 #include <annulus/kernel/inserter.h>
 
 #include <annulus/kernel/cached_spheres.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr auto others_3 = facing<3>();
 }
 
-/// Before its cells are written over.
+/// To be called before the cells of the cavity are overwritten.
 template <>
 void Inserter<3>::read_border() {
     constexpr int d = 3;
@@ -66,7 +66,7 @@ void Inserter<3>::fill(Rank v) {
             [&](auto... w) { return cached_sphere(g.lifted(w, p)..., g.bound(cells[f])); }, facets[f].vertex);
 }
 
-/// The facets of the border follow one another, and so do the new cells.
+/// The facets of the border are in cyclic order, and so are the new cells.
 template <>
 void Inserter<2>::fill(Rank v) {
     constexpr int d = 2;

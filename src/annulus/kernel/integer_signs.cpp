@@ -16,7 +16,7 @@ namespace {
 template <int d>
 using Vector = std::array<std::int64_t, static_cast<std::size_t>(d)>;
 
-/// Differences to the last of k + 1 points as integers on the finest of their grids.
+/// Differences of k points to the last of k + 1, as integers on the finest of their grids.
 template <int d, std::size_t k>
 struct Differences {
     std::array<Vector<d>, k> v;
@@ -71,8 +71,8 @@ Wide_integer<3> dot(const std::array<Int128, 3>& n, const Vector<3>& a) {
     return product(wide(n[0]), wide(a[0])) + product(wide(n[1]), wide(a[1])) + product(wide(n[2]), wide(a[2]));
 }
 
-/// The sign of the determinant of r_k and |r_k|^2, positive when the last point is inside, and those of its minors:
-/// orientation[i] is that of the cell with the last point in the place of corner i.
+/// The sign of the determinant of r_k and |r_k|^2, positive when the last point is inside, and the signs of its
+/// minors: orientation[i] is that of the cell with the last point in place of corner i.
 template <int d>
 struct Sphere_signs {
     int sphere;
@@ -123,7 +123,7 @@ double grid_scale(const Coordinates<d>& x) {
             (bits & ((std::uint64_t{1} << 52) - 1)) | (exponent != 0 ? std::uint64_t{1} << 52 : 0);
         if (mantissa != 0) lowest = std::min(lowest, std::max(exponent, 1) + std::countr_zero(mantissa));
     }
-    if (lowest == nothing) return std::ldexp(1.0, -most);  // the origin: an integer by any
+    if (lowest == nothing) return std::ldexp(1.0, -most);  // the origin: any scale makes it an integer
     const int power = 1075 - lowest;
     return power > most ? 0.0 : std::ldexp(1.0, power);
 }
@@ -132,7 +132,8 @@ template <int d>
 std::optional<int> integer_orientation(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p) {
     const Differences<d, d> r(p);
     if (r.bits > 61) return {};
-    // Differences to the last of three points: the sign is that of the orientation. Of four: the opposite.
+    // Differences to the last of three points: the sign is that of the orientation. With four points it is the
+    // opposite.
     if constexpr (d == 2) return sign_of(minor(r.v[0][0], r.v[0][1], r.v[1][0], r.v[1][1]));
     else return -sign_of(dot(cross(r.v[0], r.v[1]), r.v[2]));
 }
@@ -144,8 +145,8 @@ std::optional<bool> integer_sphere_holds(const std::array<Scaled_point<d>, stati
     if (r.bits > 61) return {};
     const Sphere_signs<d> s = sphere_signs(r.v, r.bits);
     if (s.sphere != 0) return s.sphere > 0;
-    // The perturbation (perturbed_sign) lifts the lexicographically largest point most: what it does to the sphere
-    // decides, then the second largest.
+    // The perturbation (perturbed_sign) lifts the lexicographically largest point most: its effect on the sphere
+    // decides, then that of the second largest.
     const auto largest_but = [&p](std::size_t but) {
         std::size_t f = but == 0 ? 1 : 0;
         for (std::size_t i = 0; i <= last; ++i)

@@ -9,10 +9,10 @@
 
 namespace annulus {
 
-// The exact stage of the kernel: signs of determinants of integers of a fixed width, without memory from the heap.
-// Points on the unit sphere, lattices and their like are decided here; what spans too many bits is left to GMP.
+// The exact stage of the kernel: signs of determinants of integers of a fixed width, without heap memory. Points on
+// the unit sphere, lattices and the like are decided here; points that span too many bits are left to GMP.
 
-/// A point, and a power of two by which its coordinates are integers (0: there is none that a double has).
+/// A point, and a power of two that makes its coordinates integers (0: no double does).
 template <int d>
 struct Scaled_point {
     const Coordinates<d>* x;
@@ -28,8 +28,8 @@ template <int d>
 [[nodiscard]] std::optional<int> integer_orientation(
     const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p);
 
-/// Whether the sphere of a positive cell, the first d + 1 points, holds the last one; where it passes through it, by
-/// the perturbation that decides everywhere (perturbed_sign, docs/theory.md 6.7). Empty: too many bits.
+/// Whether the sphere of a positive cell, the first d + 1 points, holds the last one; where it passes through it,
+/// decided by the perturbation that is used everywhere (perturbed_sign, docs/theory.md 6.7). Empty: too many bits.
 template <int d>
 [[nodiscard]] std::optional<bool> integer_sphere_holds(
     const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p);

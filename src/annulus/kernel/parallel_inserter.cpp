@@ -32,7 +32,7 @@ void Parallel_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8
     }
 }
 
-/// A corner of the first cell may be a vertex of a later round: no one's.
+/// A corner of the first cell may be a vertex of a later round, which belongs to no thread.
 template <int d>
 void Parallel_inserter<d>::find_owners(const typename Inserter<d>::Cells& cells, std::span<const std::uint8_t> part,
                                        int threads) {
@@ -53,7 +53,7 @@ void Parallel_inserter<d>::find_owners(const typename Inserter<d>::Cells& cells,
     });
 }
 
-/// Looks for places to start from. While threads do so nothing changes.
+/// Searches for cells to start from. Meanwhile no thread changes a cell.
 template <int d>
 void Parallel_inserter<d>::start_in(std::size_t k, const Inserter<d>& alone, std::atomic<std::size_t>& unused) {
     Part& part = parts_[k];
@@ -67,8 +67,8 @@ void Parallel_inserter<d>::start_in(std::size_t k, const Inserter<d>& alone, std
     }
 }
 
-/// A walk that leaves the partition begins again from a place near by, as long as that helps: a place from which all
-/// walks leave would otherwise be the start of all that follow.
+/// When a walk leaves the partition, it starts again from a cell near by, as long as that helps: otherwise a cell from
+/// which all walks leave would be the start of all later ones.
 template <int d>
 void Parallel_inserter<d>::insert_in_partition(std::size_t k) {
     using Outcome = typename Inserter<d>::Outcome;

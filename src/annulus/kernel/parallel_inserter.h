@@ -12,27 +12,27 @@
 
 namespace annulus {
 
-/// Inserts vertices by several threads at once, each within a partition of its own (Thread_partition). Memory is kept
-/// from one call to the next.
+/// Inserts vertices by several threads at once, each within its own Thread_partition. Memory is kept from one call to
+/// the next.
 template <int d>
 class Parallel_inserter {
   public:
     using Rank = typename Inserter<d>::Rank;
     static constexpr std::size_t most_parts = 64;
 
-    /// Inserts those of `pending` whose insertion changes no more than one partition, and leaves the others in it.
-    /// `part` says by vertex whose partition it is in, for those that `alone` has inserted and those pending. These are
-    /// near one another where they follow one another, for the most part. Throws what Inserter does; then the cells are
-    /// no triangulation.
+    /// Inserts those of `pending` whose insertion changes only one partition, and leaves the others in it. `part`
+    /// gives, by vertex, the partition of those that `alone` has inserted and of those pending. Pending vertices that
+    /// follow one another should be near one another, for the most part. Throws what Inserter throws; then the cells
+    /// are not a triangulation.
     void insert(Inserter<d>& alone, std::span<const std::uint8_t> part, std::size_t parts, std::vector<Rank>& pending);
 
   private:
     using Cell = typename Inserter<d>::Cell;
-    /// What is one thread's, in cache lines of its own.
+    /// The data of one thread, in its own cache lines.
     struct alignas(128) Part {
         std::vector<Rank> pending;
-        std::vector<Cell> starts;  ///< a cell of the partition near each `stretch`-th of the pending; or no_cell
-        bool has_start;            ///< there is such a cell
+        std::vector<Cell> starts;  ///< a cell of the partition near every `stretch`-th pending one; or no_cell
+        bool has_start;            ///< whether there is such a cell
     };
     static constexpr std::size_t stretch = 256;
 

@@ -9,7 +9,7 @@ namespace annulus {
 
 namespace {
 
-/// Of vertices on a line: those before and after it.
+/// For vertices on a line: the vertices before and after each.
 std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& mesh,
                                                        std::span<const Coordinates<2>> x) {
     std::vector<std::array<Index, 2>> beside(mesh.vertex_bound(), {none, none});
@@ -22,7 +22,7 @@ std::vector<std::array<Index, 2>> neighbours_on_a_line(const Delaunay_mesh<2>& m
     return beside;
 }
 
-/// Around v, counter-clockwise from infinity where it is a neighbour. Whether it is.
+/// The neighbours of v, counter-clockwise, starting after infinity where that is a neighbour. Returns whether it is.
 bool read_ring(const Corner_table<2>& t, Index v, std::vector<Index>& ring) {
     bool hull = false;
     std::size_t start = 0;

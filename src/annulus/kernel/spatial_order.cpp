@@ -13,8 +13,8 @@ namespace annulus {
 
 namespace {
 
-/// The Hilbert curve as an automaton (Hamilton, "Compact Hilbert indices", 2006): in a state, an octant (or quadrant)
-/// has a place on the curve, and leads to a state for what is inside it.
+/// The Hilbert curve as an automaton (Hamilton, "Compact Hilbert indices", 2006): in each state, an octant (or
+/// quadrant) has a place on the curve, and leads to a state for its interior.
 template <int d>
 struct Hilbert_curve {
     static constexpr unsigned octants = 1U << d;
@@ -71,8 +71,8 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 33);
 }
 
-/// Of n vertices the last round has seven eighths, the one before it seven eighths of the rest, and so on, down to some
-/// `first` of them in round 0.
+/// Of n vertices the last round has seven eighths, the one before it seven eighths of the rest, and so on, down to
+/// about `first` of them in round 0.
 class Rounds {
   public:
     Rounds(std::size_t n, std::size_t first) {
@@ -90,10 +90,11 @@ class Rounds {
 
 }  // namespace
 
-/// Stable, by keys of `bits` bits, 11 at a time. Threads count the digits of a run each, and put it in its places.
+/// Stable sort by keys of `bits` bits, 11 at a time. Each thread counts the digits of a run, and moves it to its
+/// places.
 template <int d>
 void Spatial_order<d>::sort_by_key(Keys& a, Keys& other, int bits, int threads) {
-    constexpr std::size_t few = 512;  // to sort them costs less than to count 2,048 digits
+    constexpr std::size_t few = 512;  // sorting them costs less than counting 2,048 digits
     if (a.size() < few) {
         std::stable_sort(a.begin(), a.end(), [](const Keyed& l, const Keyed& r) { return l.key < r.key; });
         return;

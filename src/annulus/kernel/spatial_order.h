@@ -15,23 +15,24 @@ namespace annulus {
 /// The order in which Builder inserts vertices. Memory is kept from one call to the next.
 ///
 /// A biased randomized insertion order (Amenta, Choi, Rote, SoCG 2003): rounds, each eight times as large as the one
-/// before, whose members are told by a hash of the index; within a round along a Hilbert curve. Without rounds points
-/// on few lines or spheres would make cavities that grow with n. Points whose keys on the curve are equal are sorted
-/// again in a box of their own, so clusters of any scale are resolved; points at one place keep the order of
-/// `vertices`. The order depends on indices and positions alone.
+/// before, to which vertices are assigned by a hash of the index; within a round along a Hilbert curve. Without
+/// rounds, points on few lines or spheres would make cavities that grow with n. Points with equal keys on the curve
+/// are sorted again in their own box, so clusters of any scale are resolved; points at one position keep the order of
+/// `vertices`. The order depends only on indices and positions.
 template <int d>
 class Spatial_order {
   public:
-    /// Puts vertices, given as indices of points x with this bounding box, in order. Expected O(n).
+    /// Sorts vertices, given as indices of points x with this bounding box. Expected O(n).
     void sort(std::span<const Coordinates<d>> x, const Bounding_box<d>& around, std::span<Index> vertices,
               int threads = 1);
 
-    /// Of the vertex that is k-th now: its round, and its place on the curve (equal ones are near).
+    /// The round of the vertex that is k-th now, and its place on the curve (equal places are near).
     [[nodiscard]] std::uint64_t round(std::size_t k) const { return keyed_[k].key >> bits_; }
     [[nodiscard]] std::uint64_t place(std::size_t k) const { return keyed_[k].key & ((std::uint64_t{1} << bits_) - 1); }
 
     /// The place of p on another curve, through a box of twice the extent that begins `moved` times the extent before
-    /// the bounding box: its pieces have other borders. 0 <= moved <= 1; there are points at different places.
+    /// the bounding box: its pieces have other borders. Preconditions: 0 <= moved <= 1; there are points at different
+    /// positions.
     [[nodiscard]] static std::uint64_t moved_place(const Coordinates<d>& p, const Bounding_box<d>& around,
                                                    double moved);
 

@@ -9,26 +9,26 @@
 
 namespace annulus {
 
-/// Which indices are vertices; the others below the bound are free.
+/// The set of indices that are vertices. The other indices below the bound are free.
 class Vertex_set {
   public:
-    /// One more than the largest index there has been.
+    /// One more than the largest index so far.
     [[nodiscard]] std::size_t bound() const { return has_.size(); }
     [[nodiscard]] std::size_t size() const { return size_; }
     /// Precondition: v is below the bound.
     [[nodiscard]] bool has(Index v) const { return has_[at(v)] != 0; }
 
-    /// All indices below n, and no others.
+    /// Makes all indices below n vertices, and no others.
     void assign(std::size_t n) {
         has_.assign(n, 1);
         size_ = n;
     }
-    /// New indices are free; vertices above the bound go.
+    /// New indices are free; vertices at or above the bound are removed.
     void set_bound(std::size_t n) {
         has_.resize(n, 0);
         size_ = static_cast<std::size_t>(std::count(has_.begin(), has_.end(), char{1}));
     }
-    /// Precondition: v is no vertex.
+    /// Precondition: v is not a vertex.
     void insert(Index v) {
         if (at(v) >= has_.size()) has_.resize(at(v) + 1, 0);
         has_[at(v)] = 1;
@@ -39,7 +39,7 @@ class Vertex_set {
         has_[at(v)] = 0;
         --size_;
     }
-    /// In ascending order.
+    /// The vertices in ascending order.
     [[nodiscard]] std::vector<Index> list() const {
         std::vector<Index> vertices;
         vertices.reserve(size_);

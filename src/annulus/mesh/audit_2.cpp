@@ -77,7 +77,7 @@ Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const st
     for (std::size_t v = 0; v < n; ++v)
         if (!used[v]) fault(r, r.topological_faults, named(r, "vertex in no cell:", {static_cast<Index>(v)}));
 
-    // Interior edges are locally Delaunay; border edges a -> b (interior on their left) give the next on the border.
+    // Interior edges must be locally Delaunay. Border edges a -> b, with the interior on their left, define `next`.
     std::unordered_map<Index, Index> next;
     for (const auto& [edge, apex] : opposite) {
         r.poll();
@@ -95,7 +95,8 @@ Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const st
         if (side > 0)
             fault(r, r.violated_facets, named(r, "not locally Delaunay: edge, opposites", {a, b, apex, other->second}));
     }
-    // One closed border, convex, turning once: the direction enters the upper half-plane exactly once.
+    // The border must be one closed curve, convex, and turn once: its direction enters the upper half-plane exactly
+    // once.
     if (next.empty()) {
         fault(r, r.topological_faults, "no border");
         return r;
@@ -139,7 +140,7 @@ Audit_result audit(const Audit_input<2>& in, Index first_index) {
     Audit_predicates_2 predicates(std::move(points));
     if (std::any_of(in.cells.begin(), in.cells.end(), [](const auto& c) { return c[2] != none; }))
         return audit_plane(predicates, in.points.size(), in.cells, std::move(r));
-    // Points that span no area: all collinear, and the edges join neighbours on the line.
+    // Points that span no area must all be collinear, and the edges must join neighbours on the line.
     for (std::size_t i = 2; i < order.size(); ++i)
         if (predicates.turn(order[0], order[1], order[i]) != 0)
             fault(r, r.topological_faults,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary first: if every boundary triangle shows its inner side to a point o, the boundary is spread over the
-// directions seen from o as a covering that may branch at vertices only, and the number of its sheets is the number
-// of triangles that any one ray meets. One sheet: no branching, the boundary is star-shaped and embedded, and being
-// convex at its edges it is convex. Positive cells whose boundary it is cover every point inside once and none
-// outside, because the number of cells at a point that is on no facet is how often the boundary winds around it.
+// The boundary is checked first. If every boundary triangle has its inner side towards a point o, the boundary
+// projects to the directions seen from o as a covering that may branch only at vertices; its number of sheets is the
+// number of triangles that any one ray meets. With one sheet it does not branch: the boundary is star-shaped and
+// embedded, and as it is convex at its edges, it is convex. Positive cells with this boundary cover every point inside
+// once and none outside, because the number of cells at a point that is on no facet is how often the boundary winds
+// around it.
 #include <annulus/mesh/audit_predicates_3.h>
 
 #include <unordered_map>
@@ -22,17 +23,18 @@ struct Triple_hash {
     }
 };
 
-/// A triangle with its least vertex first, turned but not turned over.
+/// A triangle with its least vertex first, rotated but not reversed.
 Triple canonical(Triple t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
 
-/// The facets of a positive cell as seen from outside, with the vertex behind.
+/// The facets of a positive cell as seen from outside, then the vertex behind.
 constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
     {{1, 2, 3, 0}, {0, 3, 2, 1}, {0, 1, 3, 2}, {0, 2, 1, 3}}};
 
-/// A boundary that is one convex surface, traversed once. `border` has triangles that turn left as seen from outside.
+/// Checks that a boundary is one convex surface, covered once. The triangles of `border` turn left as seen from
+/// outside.
 void audit_border(Audit_predicates_3& predicates, const Cell& any, const std::vector<Triple>& border, Findings& r) {
     if (border.empty()) {
         fault(r, r.topological_faults, "no boundary");
@@ -77,7 +79,7 @@ void audit_border(Audit_predicates_3& predicates, const Cell& any, const std::ve
     if (sheets != 1) fault(r, r.topological_faults, "the boundary does not wind once");
 }
 
-/// Points that span no volume.
+/// The audit of points that span no volume.
 Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& order, Findings r) {
     const auto sites = integer_points<3>(in.points);
     Audit_predicates_3 predicates(sites);
@@ -103,7 +105,7 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
     for (Index v = 0; at(v) < sites.size(); ++v)
         if (predicates.orientation(first[0], first[1], first[2], v) != 0)
             fault(r, r.topological_faults, named(r, "no cell, but not coplanar with the rest: vertex", {v}));
-    // Seen along an axis along which the first triangle has an area, from the side that it turns left on.
+    // Seen along an axis along which the first triangle has an area, from the side on which it turns left.
     std::size_t axis = 0;
     while (axis < 3 && predicates.turn(first[0], first[1], first[2], axis) == 0) ++axis;
     if (axis == 3) {
@@ -132,7 +134,7 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     const auto sites = integer_points<3>(in.points);
     Audit_predicates_3 predicates(sites);
     std::vector<char> used(n, 0);
-    // Facet as seen from outside its cell, with the vertex behind.
+    // A facet as seen from outside its cell, and the vertex behind it.
     std::unordered_map<Triple, Index, Triple_hash> behind;
     behind.reserve(4 * in.cells.size());
     std::vector<std::uint64_t> edges;

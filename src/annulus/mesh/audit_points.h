@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the audits of both dimensions share: coordinates as integers, and how a fault is noted.
+// What the audits of both dimensions share: coordinates as integers, and the record of faults.
 #include <annulus/mesh/audit.h>
 
 #include <gmp.h>
@@ -13,7 +13,7 @@ namespace annulus::auditing {
 
 inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// An integer that frees itself; temporaries are reused, allocation would dominate.
+/// An integer that frees itself. Temporaries are reused, because allocation would dominate.
 class Integer {
   public:
     Integer() { mpz_init(z_); }
@@ -38,7 +38,7 @@ inline int sign(const Integer& z) {
 template <int d>
 using Integer_point = std::array<Integer, static_cast<std::size_t>(d)>;
 
-/// All coordinates times one power of two that makes them integers.
+/// All coordinates, multiplied by one power of two that makes them integers.
 template <int d>
 std::vector<Integer_point<d>> integer_points(const std::vector<Coordinates<d>>& points) {
     int least = 1100;
@@ -61,7 +61,8 @@ std::vector<Integer_point<d>> integer_points(const std::vector<Coordinates<d>>& 
     return sites;
 }
 
-/// What is found, and what finding it takes: how vertices are called, and what is called between two parts of the work.
+/// The result of an audit so far, with the names of vertices and the function that is called between two parts of the
+/// work.
 struct Findings : Audit_result {
     template <int d>
     Findings(const Audit_input<d>& input, Index first_index)
@@ -71,7 +72,8 @@ struct Findings : Audit_result {
         if (i >= 0 && at(i) < names.size()) i = names[at(i)];
         return static_cast<long long>(i) + first;
     }
-    /// To be called once a cell or a facet: asks each 1024th time, which is after some milliseconds at most.
+    /// To be called once per cell or facet. Calls `between` every 1024th time, that is after a few milliseconds at
+    /// most.
     void poll() {
         if (++steps % 1024 == 0 && between) between();
     }
@@ -87,7 +89,7 @@ inline void fault(Audit_result& r, std::uint64_t& counter, const std::string& wo
     if (r.first_fault.empty()) r.first_fault = words;
 }
 
-/// Words and vertices, as the caller calls them.
+/// A text followed by vertices under the caller's names.
 inline std::string named(const Findings& r, const char* what, std::initializer_list<Index> v) {
     std::string s = what;
     for (const Index i : v) {
@@ -105,7 +107,7 @@ std::vector<Index> lexicographic(const std::vector<Coordinates<d>>& p) {
     return order;
 }
 
-/// Notes vertices at one place. `order` is lexicographic.
+/// Records vertices at one position. `order` is lexicographic.
 template <int d>
 void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Index>& order, Findings& r) {
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -128,11 +130,12 @@ void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vec
     if (expected != found) fault(r, r.topological_faults, "the edges do not join consecutive points of the line");
 }
 
-/// Points of a plane in 3D, seen from one of its sides: orientation and circles by integers. Lengths are those of
-/// space, so that circles are circles.
+/// Points of a plane in 3D, seen from one of its sides: orientation and circles by integers. Lengths are measured in
+/// 3D, so that circles are circles.
 class Audit_predicates_2 {
   public:
-    /// Sites with two coordinates to turn by, and any number more that only add to the squared lengths.
+    /// A point with two coordinates that orientations use, and optionally a third that only adds to the squared
+    /// lengths.
     struct Point {
         const Integer* x;
         const Integer* y;

@@ -18,8 +18,8 @@ class Audit_predicates_3 {
         return orientation(s_[at(a)], s_[at(b)], s_[at(c)], s_[at(e)]);
     }
 
-    /// Positive when e is strictly inside the sphere of the positive cell a b c d: the lifted 4 x 4 determinant, by
-    /// its last column.
+    /// Positive when e is strictly inside the sphere of the positive cell a b c d: the lifted 4 x 4 determinant,
+    /// expanded by its last column.
     int inside(const Cell& v, Index e) {
         for (std::size_t i = 0; i < 4; ++i) {
             mpz_set_ui(lift_[i], 0);
@@ -39,7 +39,7 @@ class Audit_predicates_3 {
         return -sign(sum_);
     }
 
-    /// o becomes the sum of the corners of a cell: four times its middle.
+    /// Sets o to the sum of the corners of a cell: four times its middle.
     void take_middle(const Cell& c) {
         for (std::size_t k = 0; k < 3; ++k) {
             mpz_set_ui(o_[k], 0);
@@ -52,7 +52,7 @@ class Audit_predicates_3 {
         determinant(row_[0], row_[1], row_[2]);
         return -sign(det_);
     }
-    /// The ray from o through the middle of triangle g meets the closed triangle f, which shows its inner side to o.
+    /// The ray from o through the middle of triangle g meets the closed triangle f, whose inner side faces o.
     bool meets(const Triple& f, const Triple& g) {
         for (std::size_t k = 0; k < 3; ++k) mpz_set_ui(row_[3][k], 0);
         for (const Index v : g) {
@@ -60,7 +60,8 @@ class Audit_predicates_3 {
             for (std::size_t k = 0; k < 3; ++k) mpz_add(row_[3][k], row_[3][k], row_[0][k]);
         }
         for (std::size_t i = 0; i < 3; ++i) from_middle(f[i], row_[i]);
-        // The direction is a combination of the corners of f without negative coefficients (Cramer's rule).
+        // The ray meets f if its direction is a combination of the corners of f without negative coefficients
+        // (Cramer's rule).
         determinant(row_[0], row_[1], row_[2]);
         const int whole = sign(det_);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -70,7 +71,7 @@ class Audit_predicates_3 {
         return true;
     }
 
-    /// c and e are on different sides of the line a b, all in one plane.
+    /// c and e are on different sides of the line a b; all four are in one plane.
     bool opposite(Index a, Index b, Index c, Index e) {
         for (std::size_t k = 0; k < 3; ++k) {
             const int one = turn(a, b, c, k);
@@ -78,7 +79,7 @@ class Audit_predicates_3 {
         }
         return false;
     }
-    /// Component k of (b - a) x (c - a), its sign.
+    /// Sign of component k of (b - a) x (c - a).
     int turn(Index a, Index b, Index c, std::size_t k) {
         const std::size_t i = (k + 1) % 3;
         const std::size_t j = (k + 2) % 3;

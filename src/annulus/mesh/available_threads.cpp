@@ -16,7 +16,7 @@ int available_threads(int wanted) {
     static std::atomic<int> given{1};
     const int most = std::min(wanted, oneapi::tbb::info::default_concurrency());
     if (most <= given.load(std::memory_order_relaxed)) return std::max(most, 1);
-    std::promise<void> all_there;  // none ends before, or one could be had for all
+    std::promise<void> all_there;  // no thread ends before all have started; otherwise one could be reused for all
     const std::shared_future<void> end = all_there.get_future().share();
     std::vector<std::jthread> threads;
     threads.reserve(static_cast<std::size_t>(most) - 1);

@@ -8,14 +8,13 @@
 
 namespace annulus {
 
-/// Whether the border of a triangulation, at x, winds once. Precondition: every ridge of it is convex there.
-/// O(border), in 3D O(cells) bytes besides. (docs/theory.md 1.2) To `seen` is added how many of its facets were
-/// looked at.
+/// Whether the border of a triangulation, at x, winds once (docs/theory.md 1.2). Precondition: every ridge of it is
+/// convex there. O(border), in 3D with O(cells) bytes of memory. The number of facets looked at is added to `seen`.
 [[nodiscard]] bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>> x, std::size_t& seen);
 [[nodiscard]] bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>> x, std::size_t& seen);
 
-/// Whether all cells with infinity are one border. Flips keep it whole; a region that was rebuilt beneath it may
-/// have closed off a part, which would wind by itself. O(cells).
+/// Whether all infinite cells form one border. Flips keep the border connected; the rebuild of a cavity beneath it may
+/// have closed off a part, which would then wind by itself. O(cells).
 template <int d>
 [[nodiscard]] bool border_is_whole(const Corner_table<d>& t) {
     std::size_t all = 0;

@@ -3,8 +3,8 @@
 
 namespace annulus {
 
-/// Around infinity the border is walked clockwise. It turns right everywhere, so it winds as often as its direction
-/// enters the half-plane of directions that point up, or right when level.
+/// Walks the border clockwise, around infinity. The border turns right everywhere, so it winds as often as its
+/// direction enters the half-plane of directions that point up, or right when level.
 bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>> positions, std::size_t& seen) {
     const Corner_index first = t.corner_of_infinity();
     const auto points_up = [&](Corner_index h) {

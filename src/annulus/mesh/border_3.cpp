@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the hull of space winds, read off its silhouette (docs/theory.md 1.2, (c)).
+// How often the hull winds in 3D, read off its silhouette (docs/theory.md 1.2, (c)).
 #include <annulus/mesh/border.h>
 
 #include <annulus/mesh/certificates.h>
@@ -12,7 +12,7 @@ namespace annulus {
 
 namespace {
 
-/// The first sign that is not 0 of the components z, y, x of (b - a) x (c - a): how that turns seen from (e^2, e, 1).
+/// The first nonzero sign among the components z, y, x of (b - a) x (c - a): how a b c turns seen from (e^2, e, 1).
 /// Each component is an orientation in a coordinate plane.
 int turn(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c) {
     for (const auto& [i, j] : {std::pair{0U, 1U}, {2U, 0U}, {1U, 2U}}) {
@@ -40,8 +40,9 @@ bool between(const Coordinates<3>& u, const Coordinates<3>& v, const Coordinates
 
 }  // namespace
 
-/// The silhouette seen from (e^2, e, 1) are the edges of border facets that face there, beyond which the border faces
-/// away. The border, convex at its ridges, winds once if that is one closed polygon that turns left and once.
+/// The silhouette seen from (e^2, e, 1) consists of the edges between a border facet that faces the viewer and one
+/// that faces away. The border, convex at its ridges, winds once if the silhouette is one closed polygon that turns
+/// left and winds once.
 bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>> positions, std::size_t& seen) {
     const auto x = [&](Index v) -> const Coordinates<3>& { return positions[static_cast<std::size_t>(v)]; };
     std::vector<Corner_index> outer;  // half-facets at infinity

@@ -9,10 +9,10 @@
 
 namespace annulus {
 
-/// What certificate a facet of T owns (theory 1); the orientation of a finite cell belongs to the cell.
+/// The certificate that a facet owns (docs/theory.md 1). The orientation of a finite cell belongs to the cell.
 enum class Facet_kind : std::uint8_t {
     empty_sphere,  ///< both cells finite
-    nothing,       ///< one infinite cell: nothing beyond the orientation of the finite one; of a cell, the infinite one
+    nothing,       ///< one infinite cell: no certificate but the finite one's orientation; for a cell: it is infinite
     ridge,         ///< both cells infinite: the hull is convex there
     slab,          ///< the paper's view of a border facet: its own parallel hyperplanes (kind `paper` only)
 };
@@ -29,7 +29,7 @@ template <int d>
     return t.is_infinite(t.cell_of(h)) ? Facet_kind::ridge : Facet_kind::empty_sphere;  // as the other cell
 }
 
-/// The corners of a cell, in positive order when it is finite; infinity is `infinite`.
+/// The corners of a cell, in positive order when it is finite. Infinity is the vertex `infinite`.
 template <int d>
 [[nodiscard]] Cell_sites<d> cell_sites(const Corner_table<d>& t, Cell_index c) {
     Cell_sites<d> x{};
@@ -37,10 +37,10 @@ template <int d>
     return x;
 }
 
-/// Their vertices: what positions, reports and lists are of.
+/// The vertices of a cell, for positions, reports and lists.
 template <int d>
 using Cell_vertices = std::array<Index, static_cast<std::size_t>(d + 1)>;
-/// Vertices that have one image each.
+/// The sites of vertices that have one image each.
 template <int d>
 [[nodiscard]] Cell_sites<d> sites_of(const Cell_vertices<d>& v) {
     Cell_sites<d> x{};
@@ -54,9 +54,9 @@ template <int d>
     return v;
 }
 
-/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an
-/// infinite cell with infinity replaced by `beyond`, the corner opposite to its facet `slot` in the other cell, and
-/// two points swapped (an infinite cell lies outside).
+/// The points of a ridge, ordered so that their orientation is positive where the hull is strictly convex: an infinite
+/// cell with infinity replaced by `beyond`, the corner opposite to its facet `slot` in the other cell, and two points
+/// swapped (an infinite cell lies outside).
 template <int d>
 [[nodiscard]] Cell_sites<d> ridge_sites(Cell_sites<d> cell, Site<d> beyond) {
     for (Site<d>& s : cell)
@@ -69,16 +69,17 @@ template <int d>
     return ridge_sites<d>(cell_sites(t, t.cell_of(h)), t.opposite(h));
 }
 
-/// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet last.
+/// The points of a border facet for the paper's slab: its finite cell in positive order, the vertex off the facet
+/// last.
 [[nodiscard]] inline Cell_sites<2> slab_sites(const Corner_table<2>& t, Corner_index h) {
     if (t.is_infinite(t.cell_of(h))) h = t.twin(h);
     return {t.site(t.ccw(h)), t.site(t.cw(h)), t.site(h)};
 }
 
-/// The corners that face corner `slot` of a tetrahedron: with that corner last the four are in positive order.
+/// The corners that face corner `slot` of a tetrahedron. With that corner last, the four are in positive order.
 inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}}};
 
-/// The facet of half-facet h, its vertices turning left as seen from its own corner, which comes last.
+/// The vertices of half-facet h, turning left as seen from its own corner, then that corner.
 [[nodiscard]] inline Cell_sites<3> facet_and_vertex(const Corner_table<3>& t, Corner_index h) {
     Cell_sites<3> x{};
     for (std::size_t k = 0; k < 3; ++k)
@@ -90,15 +91,15 @@ inline constexpr std::array<std::array<int, 3>, 4> facing_corners{{{2, 1, 3}, {0
     return facet_and_vertex(t, t.is_infinite(t.cell_of(h)) ? t.twin(h) : h);
 }
 
-/// Turns the points of a ridge, an edge of the hull in 3D and a vertex in 2D, so that in 3D the two
-/// vertices of the ridge come first and in 2D its one comes last. `own` is the corner of the infinite cell
-/// opposite to the ridge, `beyond` that of the other.
+/// Permutes the points of a ridge (an edge of the hull in 3D, a vertex in 2D) evenly: in 3D the two vertices of the
+/// ridge come first, in 2D its one vertex comes last. `own` is the corner of the infinite cell opposite to the ridge,
+/// `beyond` that of the other cell.
 [[nodiscard]] inline Cell_sites<2> ridge_in_order(Cell_sites<2> x, Site<2> own, Site<2> beyond) {
     while (x[2] == own || x[2] == beyond) x = {x[1], x[2], x[0]};
     return x;
 }
 [[nodiscard]] inline Cell_sites<3> ridge_in_order(Cell_sites<3> x, Site<3> own, Site<3> beyond) {
-    // Three places turned at a time: an even permutation.
+    // Rotates three places at a time, which is an even permutation.
     const auto bring = [&x](Site<3> s, std::size_t to) {
         const auto from = static_cast<std::size_t>(std::find(x.begin(), x.end(), s) - x.begin());
         if (from == to) return;
@@ -120,20 +121,20 @@ template <int d>
     return {t.site(t.ccw(h)), t.site(t.cw(h)), t.opposite(h), t.site(h)};
 }
 
-/// The points {a, b, c, p, q} of the bi-cell at half-facet h, as the predicates take them: q = site(h).
+/// The points {a, b, c, p, q} of the bi-cell at half-facet h, in the order of the predicates: q = site(h).
 [[nodiscard]] inline Facet_sites<3> bicell_sites(const Corner_table<3>& t, Corner_index h) {
     const Cell_sites<3> x = facet_and_vertex(t, h);
     return {x[0], x[1], x[2], t.opposite(h), x[3]};
 }
 
-/// The certificate that a facet owns; `point` is padded with `none`, and empty of a border.
+/// The certificate that a facet owns. `point` is padded with `none`; it is empty for a border.
 template <int d>
 struct Facet_certificate {
     Facet_kind kind;
     Facet_sites<d> point;
 };
 
-/// The certificate of half-facet h. A border owns a slab if there are `slabs`, which are the paper's.
+/// The certificate of half-facet h. With `slabs`, a border facet owns the paper's slab.
 template <int d>
 [[nodiscard]] Facet_certificate<d> facet_certificate(const Corner_table<d>& t, Corner_index h, bool slabs) {
     Facet_certificate<d> f{facet_kind(t, h), {}};
@@ -149,8 +150,8 @@ template <int d>
     return f;
 }
 
-/// The certificate of the facet opposite to corner `slot` of a cell with these corners, `beyond` being that of the
-/// other cell.
+/// The certificate of the facet opposite to corner `slot` of a cell with these corners. `beyond` is the corner
+/// opposite to it in the other cell.
 [[nodiscard]] inline Facet_sites<2> bicell_sites(const Cell_sites<2>& cell, std::size_t slot, Site<2> beyond) {
     return {cell[(slot + 1) % 3], cell[(slot + 2) % 3], beyond, cell[slot]};
 }
@@ -175,7 +176,7 @@ template <int d>
     return f;
 }
 
-/// The first k of `point`, where they are in x.
+/// Pointers to the positions in x of the first k points.
 template <int d, std::size_t k, std::size_t n>
 requires(k <= n) [[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::array<Site<d>, n>& point,
                                                                    std::span<const Coordinates<d>> x) {
@@ -184,8 +185,8 @@ requires(k <= n) [[nodiscard]] Tuple<d, static_cast<int>(k)> tuple(const std::ar
     return t;
 }
 
-/// Visits every certificate that contains v: on_cell(h) with the corner of v in each of its cells, then of that cell
-/// on_facet(k) with a half-facet of each facet whose bi-cell contains it, once. O(degree).
+/// Visits every certificate that contains v. Calls on_cell(h) with the corner of v in each of its cells, then, for
+/// that cell, on_facet(k) with a half-facet of each facet whose bi-cell contains v, each once. O(degree).
 template <class On_cell, class On_facet>
 void for_each_certificate(const Corner_table<2>& t, Index v, On_cell on_cell, On_facet on_facet) {
     t.for_each_corner(v, [&](Corner_index h) {

@@ -14,15 +14,15 @@
 
 namespace annulus {
 
-/// What a Corner_table had, since begin(), in the places that were written to: the cells that went, however often their
-/// places were written to and whatever is there now. A table tells it before it writes. Room for a mark a cell of the
-/// table and for the cells that went; O(1) a place that is written to.
+/// The cells that a Corner_table has lost since begin(), and the places that were written to, however often they were
+/// written to and whatever is there now. The table calls record() before it writes. Memory: a mark for each cell of
+/// the table, and the cells that went. O(1) for each write.
 template <int d>
 class Change_log {
   public:
     using Sites = std::array<Site<d>, static_cast<std::size_t>(d) + 1>;
 
-    /// Forgets what it knows.
+    /// Starts an empty log.
     void begin() noexcept {
         if (call_ == Limits::stamps) {
             std::fill(marked_.begin(), marked_.end(), 0);
@@ -34,8 +34,8 @@ class Change_log {
         replaced_ = failed_ = false;
     }
 
-    /// The place of cell c of this table is about to be written to. Never throws, since tables are emptied where
-    /// nothing may: see check().
+    /// Cell c of this table is about to be overwritten. Never throws, since tables are also cleared in code that must
+    /// not throw: see check().
     template <class Table>
     void record(Cell_index c, const Table& table) noexcept {
         if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;
@@ -48,7 +48,7 @@ class Change_log {
             failed_ = true;
         }
     }
-    /// All cells are about to go, and others to come: from now on the places mean nothing.
+    /// All cells are about to be replaced: from now on the indices of cells mean nothing.
     template <class Table>
     void record_all(const Table& table) noexcept {
         if (replaced_ || failed_) return;
@@ -63,11 +63,11 @@ class Change_log {
         }
     }
 
-    /// Throws bad_alloc where there was no memory to write things down.
+    /// Throws bad_alloc if memory ran out while recording.
     void check() const {
         if (failed_) throw std::bad_alloc();
     }
-    /// Have all cells gone?
+    /// Whether all cells have been replaced.
     [[nodiscard]] bool replaced() const noexcept { return replaced_; }
     /// The cells that went, and the places that were written to, each once.
     [[nodiscard]] const std::vector<Sites>& gone() const noexcept { return gone_; }

@@ -22,26 +22,40 @@
 
 namespace annulus {
 
+/*
+         q = site(h)
+        / \
+       / h \             cell c = cell_of(h); its corners h, ccw(h), cw(h) are counter-clockwise:
+      /     \            ccw(h) is at a, cw(h) is at b
+     /       \
+    a---------b          the facet a b, opposite to h and to twin(h)
+     \       /
+      \     /
+       \ t /             the cell beyond, with its corner t = twin(h)
+        \ /
+         p = site(t) = opposite(h)
+*/
 /// The combinatorics of a triangulation of S and infinity in flat arrays: what the strategies walk over.
 ///
-/// Cell c has d + 1 corners h = 4c + i. Corner h carries a vertex and stands for the facet opposite to it, seen from
-/// c (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and `opposite(h)` are the
-/// opposite corners of the bi-cell. A facet has the index of the lesser of its two half-facets, which changes with
-/// its cells; nothing is stored of it. Cells are positively oriented (predicate/filtered_3.h). All operations are
-/// O(1) unless they say otherwise.
+/// Cell c has d + 1 corners h = 4c + i; i is the slot of h. Corner h has a vertex, and it names the facet opposite to
+/// it as seen from c (a half-facet). `twin(h)` is the same facet seen from the other side, so `site(h)` and
+/// `opposite(h)` are the opposite corners of the bi-cell (the picture: 2D).
+///
+/// A facet has the index of the lesser of its two half-facets, which changes with its cells; nothing is stored for
+/// facets. Cells are positively oriented (predicate/filtered_3.h). All operations are O(1) unless they say otherwise.
 template <int d>
 class Corner_table {
   public:
     static constexpr Index stride = 4;  // also in 2D: corners are found by shifts, and a cell is one 16-byte line
 
-    /// What exists has an index below these bounds, with holes among them (more than half of facets').
+    /// Exclusive bounds of the indices in use. There are holes below them (more than half of the indices of facets).
     [[nodiscard]] Cell_index cell_bound() const { return cell_of(facet_bound()); }
     [[nodiscard]] Corner_index facet_bound() const { return Corner_index(static_cast<Index>(twin_.size())); }
     [[nodiscard]] Index vertex_bound() const { return static_cast<Index>(corner_of_vertex_.size()); }
     [[nodiscard]] bool is_cell(Cell_index c) const { return vertex(corner(c, 0)) != none; }
-    /// That f is the index of a facet: a half-facet of a cell that exists, and the lesser of the two.
+    /// Whether f is the index of a facet: a half-facet of a cell that exists, and the lesser of the two.
     [[nodiscard]] bool is_facet(Corner_index f) const { return slot_of(f) <= d && is_cell(cell_of(f)) && f < twin(f); }
-    /// Every cell there is, and every facet, each once.
+    /// All cells and all facets, each once.
     [[nodiscard]] auto cells() const {
         return Index_range(cell_bound(), [this](Cell_index c) { return is_cell(c); });
     }
@@ -61,9 +75,9 @@ class Corner_table {
     [[nodiscard]] Index vertex(Corner_index h) const { return vertex_[h]; }
     [[nodiscard]] Corner_index twin(Corner_index h) const { return twin_[h]; }
     [[nodiscard]] Site<d> site(Corner_index h) const { return Site<d>(vertex(h)); }
-    /// The site of twin(h), as it is seen from the cell of h.
+    /// The site of twin(h), as seen from the cell of h.
     [[nodiscard]] Site<d> opposite(Corner_index h) const { return site(twin(h)); }
-    /// The facet that h is a half of.
+    /// The facet of which h is one half.
     [[nodiscard]] Corner_index facet(Corner_index h) const { return std::min(h, twin(h)); }
     /// A corner whose vertex is v; `no_corner` for a vertex that is not in the triangulation.
     [[nodiscard]] Corner_index corner_of(Index v) const { return corner_of_vertex_[at(v)]; }
@@ -110,7 +124,7 @@ class Corner_table {
             enter(cell_of(v == infinite ? corner_of_infinity() : corner_of(v)));
             for (std::size_t k = 0; k < star.size(); ++k) {
                 const Cell_index c = cell_of(star[k]);
-                // Its slot without branches, which cannot be predicted.
+                // The slot of v, computed without branches, which would not be predictable.
                 const auto is = [&](int i) { return vertex(corner(c, i)) == v ? 1 : 0; };
                 const int slot = is(1) + 2 * is(2) + 3 * is(3);
                 star[k] = corner(c, slot);
@@ -134,11 +148,11 @@ class Corner_table {
         return Corner_index(slot_of(h) == 0 ? h.value() + 2 : h.value() - 1);
     }
 
-    /// Starts afresh: no cells, `vertices` vertices none of which is in the triangulation.
+    /// Removes all cells. Then there are `vertices` vertices, none of which is in the triangulation.
     void clear(std::size_t vertices);
-    /// The same with this many cells, for each of which set_cell is to follow. Throws Error(too_large).
+    /// The same with this many cells; set_cell must follow for each of them. Throws Error(too_large).
     void reset_to(std::size_t vertices, std::size_t cells);
-    /// Makes sure that reset_to(vertices, cells) will find its memory. Throws bad_alloc, with nothing changed.
+    /// Reserves the memory that reset_to(vertices, cells) needs. Throws bad_alloc, with nothing changed.
     void reserve(std::size_t vertices, std::size_t cells) {
         vertex_.reserve(4 * cells);
         twin_.reserve(4 * cells);
@@ -146,7 +160,7 @@ class Corner_table {
     }
     void set_vertex_bound(std::size_t vertices) { corner_of_vertex_.resize(vertices, no_corner); }
 
-    /// A new cell with no vertices or twins yet, hence not is_cell() before it has. Throws Error(too_large) when its
+    /// A new cell without vertices and twins; is_cell() is false until it has them. Throws Error(too_large) when its
     /// corners would have no index.
     [[nodiscard]] Cell_index new_cell();
     void free_cell(Cell_index c);
@@ -155,7 +169,7 @@ class Corner_table {
         vertex_[h] = s.vertex;
         note_corner(s.vertex, h);
     }
-    /// After reset_to, for several threads that set different cells at once. set_corner of each vertex is to follow.
+    /// After reset_to. Several threads may set different cells at once. set_corner must follow for each vertex.
     void set_cell(Cell_index c, const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
                   const std::array<Corner_index, static_cast<std::size_t>(d + 1)>& twins) {
         Index* const v = &vertex_[corner(c, 0)];
@@ -165,13 +179,13 @@ class Corner_table {
             t[i] = twins[i];
         }
     }
-    /// The same of a twin.
+    /// The same for one twin, in one direction only.
     void set_twin_only(Corner_index h, Corner_index t) { twin_[h] = t; }
-    /// A corner of v, which may be `infinite`.
+    /// Sets the corner of v, which may be `infinite`.
     void set_corner(Index v, Corner_index h) { note_corner(v, h); }
-    /// What is told before a place is written to; nullptr: nothing.
+    /// Sets the log whose record() is called before a place is written to; nullptr: none.
     void set_observer(Change_log<d>* log) noexcept { change_log_ = log; }
-    /// The same for a log, until clear_dirty_cells() or as long as the table lives.
+    /// The same for dirty cells, until clear_dirty_cells() or the end of the table's life.
     void set_dirty_cells(Dirty_cells& log) noexcept { dirty_cells_ = &log; }
     void clear_dirty_cells() noexcept { dirty_cells_ = nullptr; }
     void set_absent(Index v) { corner_of_vertex_[at(v)] = no_corner; }
@@ -181,8 +195,17 @@ class Corner_table {
         twin_[t] = h;
     }
 
-    /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell; proofs/coq/plane_table.v has it
-    /// corner for corner. Precondition: the opposite vertices are not adjacent.
+    /*
+           q                      q
+          /h\                    /|\
+         /   \                  /h| \
+        a-----b       ->       a  |  b
+         \   /                  \ |t/
+          \t/                    \|/
+           p                      p
+    */
+    /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell. Precondition: the opposite
+    /// vertices are not adjacent. proofs/coq/plane_table.v has it corner by corner. In the picture t = twin(h).
     void flip(Corner_index h);
 
   private:
@@ -220,7 +243,7 @@ void Corner_table<d>::clear(std::size_t vertices) {
     corner_of_vertex_.assign(vertices, no_corner);
 }
 
-/// What was there is written over, not cleared before that. In 2D slot 3 is `none` for good.
+/// Old contents are overwritten, not cleared first. In 2D slot 3 is always `none`.
 template <int d>
 void Corner_table<d>::reset_to(std::size_t vertices, std::size_t cells) {
     if (cells > static_cast<std::size_t>(Limits::cells)) throw_too_large();
@@ -261,9 +284,9 @@ void Corner_table<d>::flip(Corner_index h) {
     record(cell_of(t));
     const Index a = vertex(ccw(h));
     const Index b = vertex(cw(h));
-    const Corner_index h_side = twin(ccw(h));  // across the edge b p
-    const Corner_index t_side = twin(ccw(t));  // across the edge a q
-    // (p, a, b) becomes (p, a, q); (q, b, a) becomes (q, b, p).
+    const Corner_index h_side = twin(ccw(h));  // across the edge b q
+    const Corner_index t_side = twin(ccw(t));  // across the edge a p
+    // (q, a, b) becomes (q, a, p); (p, b, a) becomes (p, b, q).
     vertex_[cw(h)] = vertex(t);
     vertex_[cw(t)] = vertex(h);
     set_adjacency(h, t_side);

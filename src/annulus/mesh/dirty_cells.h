@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The places of a Corner_table that were written to since clear(): what a copy of the table has to look at to be the
-/// same again. Beyond a share of all places, or without memory, it says "everything" and costs nothing any more.
+/// The places of a Corner_table that were written to since clear(), which a copy of the table has to update. When they
+/// exceed a share of all places, or memory runs out, it reports "everything" and recording is free from then on.
 class Dirty_cells {
   public:
     void clear() noexcept {
@@ -20,7 +20,7 @@ class Dirty_cells {
         cells_.clear();
         everything_ = false;
     }
-    /// The place of cell c, of `places`, is about to be written to. Amortised O(1).
+    /// Cell c, of a table with `places` places, is about to be overwritten. Amortised O(1).
     void record(Cell_index c, std::size_t places) noexcept {
         if (everything_ || (marked_.has(c) && marked_[c] != 0)) return;
         constexpr std::size_t few = 64, share = 4;
@@ -38,7 +38,7 @@ class Dirty_cells {
         everything_ = true;
     }
     [[nodiscard]] bool everything() const noexcept { return everything_; }
-    /// Each once, unless it is everything.
+    /// Each cell once, unless everything().
     [[nodiscard]] std::span<const Cell_index> cells() const noexcept { return cells_; }
 
   private:

@@ -3,13 +3,13 @@
 
 #include <annulus/mesh/certificates.h>
 
-// One certificate at given positions, by all stages: for what is read off a triangulation, not for what keeps
-// it right. Rounding mode to nearest; it is put back. Some hundred nanoseconds each.
+// One certificate at given positions, by all stages. For measurements of a triangulation, not for its updates. Needs
+// rounding to nearest, and restores it. Some hundred nanoseconds each.
 namespace annulus {
 
-/// The certificate of a facet, x[k] the position of its k-th point; where the determinant is 0 the perturbation
-/// decides, or how the hull goes on (degenerate.h). Positive and without limit for a border, which has none of its
-/// own.
+/// The certificate of a facet; x[k] is the position of its k-th point. Where the determinant is 0 the perturbation
+/// decides, or whether the hull is convex there (degenerate.h). Positive with infinite tolerance for a border, which
+/// has no certificate of its own.
 [[nodiscard]] Certificate_value evaluate_facet(Facet_kind kind, const std::array<Coordinates<2>, 4>& x);
 [[nodiscard]] Certificate_value evaluate_facet(Facet_kind kind, const std::array<Coordinates<3>, 5>& x);
 
@@ -17,7 +17,7 @@ namespace annulus {
 [[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<2>, 3>& x);
 [[nodiscard]] Certificate_value evaluate_cell(const std::array<Coordinates<3>, 4>& x);
 
-/// The width of the annulus of a bi-cell, certified: the standard one in 2D, the least of four in 3D.
+/// A certified lower bound of the width of the annulus of a bi-cell: the standard one in 2D, the least of four in 3D.
 [[nodiscard]] double annulus_width_lower(const std::array<Coordinates<2>, 4>& x);
 [[nodiscard]] double annulus_width_lower(const std::array<Coordinates<3>, 5>& x);
 

@@ -8,16 +8,15 @@
 
 namespace annulus {
 
-/// Makes an array that grows a little now and then longer: by a thirty-second part beyond what is asked for, where
-/// std::vector takes as much again. What it is given stays within 33/32 of what it needs, and it is copied O(log n)
-/// times.
+/// Resizes an array that grows a little now and then. Reserves a thirty-second part more than is needed, where
+/// std::vector doubles. The capacity stays within 33/32 of the size, and the array is copied O(log n) times.
 template <class T>
 void grow(std::vector<T>& x, std::size_t size, const T& value = T()) {
     if (size > x.capacity() && x.capacity() > 0) x.reserve(size + size / 32);
     x.resize(size, value);
 }
 
-/// Gives the memory of an array back, which `x = {}` does not.
+/// Frees the memory of an array, which `x = {}` does not do.
 template <class T>
 void release(std::vector<T>& x) noexcept {
     std::vector<T>().swap(x);

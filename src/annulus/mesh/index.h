@@ -11,8 +11,8 @@
 
 namespace annulus {
 
-/// The number of something of one kind: an Index that is taken for no other kind's, nor for a vertex', which is a
-/// plain Index as the caller has it. By default `none`, which names nothing.
+/// The index of one kind of object. Does not convert to the index of another kind, nor to that of a vertex, which is
+/// the caller's plain Index. The default is `none`, which names nothing.
 template <class Tag>
 class Typed_index {
   public:
@@ -21,7 +21,7 @@ class Typed_index {
     [[nodiscard]] static constexpr Typed_index none() { return {}; }
 
     [[nodiscard]] constexpr Index value() const { return value_; }
-    /// Where it is in an array with an entry for each. Precondition: it is not `none`.
+    /// The place in an array with an entry for each index. Precondition: it is not `none`.
     [[nodiscard]] constexpr std::size_t offset() const { return static_cast<std::size_t>(value_); }
 
     friend constexpr auto operator<=>(Typed_index, Typed_index) = default;
@@ -36,8 +36,8 @@ class Typed_index {
 
 /// A cell of a Corner_table.
 using Cell_index = Typed_index<struct Cell_tag>;
-/// A corner of a cell. It stands for the facet opposite to it as seen from there, a half-facet; a facet is named by
-/// the lesser of its two.
+/// A corner of a cell. It also names the facet opposite to it as seen from there, a half-facet. A facet has the index
+/// of the lesser of its two half-facets.
 using Corner_index = Typed_index<struct Corner_tag>;
 inline constexpr Cell_index no_cell;
 inline constexpr Corner_index no_corner;
@@ -62,7 +62,8 @@ void grow(Indexed<I, T>& x, I bound, const T& value = T()) {
     grow(static_cast<std::vector<T>&>(x), bound.offset(), value);
 }
 
-/// The indices below a bound of which `exists` says so, in their order. Neither may change on the way.
+/// The indices below a bound for which `exists` returns true, in increasing order. Neither may change during
+/// iteration.
 template <class I, class Exists>
 class Index_range {
   public:

@@ -29,13 +29,13 @@ class Conflicts {
     Conflicts(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v)
         : t_(t), x_(x), p_(x[static_cast<std::size_t>(v)]) {}
 
-    /// The sphere of a cell holds p. That of a cell with infinity is the half-space beyond its facet and, in 2D
-    /// of the facet, the circle that its finite neighbour cuts there.
+    /// Whether the sphere of a cell holds p. The sphere of an infinite cell is the half-space beyond its facet and, in
+    /// the plane of the facet, the disc that the sphere of its finite neighbour cuts out.
     [[nodiscard]] bool operator()(Cell_index c) const {
         const int i = t_.slot_of_infinity(c);
         if (i < 0) return sphere_holds(c);
         Cell_sites<d> v = cell_sites(t_, c);
-        v[static_cast<std::size_t>(i)] = v[i == 0 ? 1U : 0U];  // any position, for the tuple to be one
+        v[static_cast<std::size_t>(i)] = v[i == 0 ? 1U : 0U];  // any position, so that the tuple is complete
         Tuple<d, d + 1> x = tuple<d, d + 1>(v, x_);
         x[static_cast<std::size_t>(i)] = &p_;
         const int side = sure_orientation<d>(x);
@@ -58,8 +58,8 @@ class Conflicts {
     const Coordinates<d>& p_;
 };
 
-/// Finds neighbours among the cells {v, facet of the border}: two of them share a facet where their facets share a
-/// ridge, of d - 1 corners. (kernel/cavity_edges.h does so for numbers of vertices in the order of a border.)
+/// Finds neighbours among the cells {v, facet of the border}: two of them share a facet if their border facets share a
+/// ridge of d - 1 corners. (kernel/cavity_edges.h does this for numbers of vertices in the order of a border.)
 template <int d>
 class Ridge_pairs {
   public:
@@ -69,8 +69,9 @@ class Ridge_pairs {
         place_.assign(places, 0);
         ridges_.reserve(static_cast<std::size_t>(d) * facets);
     }
-    /// `half` is 4 * cell + slot of the facet of the new cell that contains v and the ridge, its corners but `i` and
-    /// the slot's. Gives the other half that was named for the ridge, or nothing for the first one.
+    /// `half` is 4 * cell + slot of the facet of the new cell that contains v and the ridge. The ridge consists of the
+    /// cell's corners without corner `i` and that slot. Returns the other half of the ridge, or nothing for the first
+    /// one.
     [[nodiscard]] std::optional<std::uint32_t> pair(const Cell_sites<d>& cell, std::size_t i, std::uint32_t half) {
         Ridge r{{}, half};
         for (std::size_t k = 0, n = 0; k <= d; ++k)
@@ -91,7 +92,7 @@ class Ridge_pairs {
         }
     }
 
-    /// The border is that of a ball: each ridge is in two of its facets.
+    /// Whether the border is that of a ball: each ridge is in two of its facets.
     [[nodiscard]] bool all_paired() const { return pairs_ == ridges_.size(); }
 
   private:
@@ -101,7 +102,7 @@ class Ridge_pairs {
     };
     std::vector<Ridge> ridges_;
     std::size_t pairs_ = 0;
-    std::vector<std::uint32_t> place_;  // a table of them, counted from 1, a power of two; 0 where there is none
+    std::vector<std::uint32_t> place_;  // hash table of indices from 1, size a power of two; 0: empty
 };
 
 }  // namespace

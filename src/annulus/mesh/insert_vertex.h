@@ -8,13 +8,14 @@
 
 namespace annulus {
 
-/// Inserts v into a table that is Delaunay without it, at x, which has a place for v that no other vertex has. `first`
-/// is a cell that holds this place, or one with infinity whose facet it is beyond. `changed` receives the new cells.
+/// Inserts v into a table that is Delaunay without it, at x. The position of v in x is not that of another vertex.
+/// `first` is a cell that holds this position, or an infinite cell if it is beyond that cell's facet. `changed`
+/// receives the new cells.
 ///
-/// By Bowyer and Watson: the cells whose sphere holds v make way for cells between their border and v. Exact; where
-/// points are cospherical, by the perturbation that decides all else (theory 6.7), so that the cells are those of a
-/// construction, and none is flat. Expected O(degree of v). Throws Error(too_large) and bad_alloc, with the table half
-/// way.
+/// The algorithm is that of Bowyer and Watson: the cells whose sphere holds v, the cavity, are replaced by the cells
+/// between the cavity's border and v. Exact; cospherical points are decided by the perturbation that decides
+/// everywhere else (docs/theory.md 6.7), so the cells are those that a construction makes, and none is flat. Expected
+/// O(degree of v). Throws Error(too_large) and bad_alloc; the table is then in a partly changed state.
 template <int d>
 void insert_vertex(Corner_table<d>& t, std::span<const Coordinates<d>> x, Cell_index first, Index v,
                    std::vector<Cell_index>& changed);

@@ -14,18 +14,20 @@
 
 namespace annulus {
 
-/// Where walks begin: a part of the vertices, sorted by place as a k-d tree, of which one near any place is found in
-/// O(log n), and the vertex where the last walk ended. All of it is hints: vertices move and go without its being told.
+/// Where walks begin: some of the vertices, sorted by position as a k-d tree, in which one near any position is found
+/// in O(log n), and the vertex where the last walk ended. All of them are hints: vertices may move or be removed
+/// without notice.
 ///
-/// There are as many as the walks have been too long for, at most one vertex in `share`: so one insertion into a
-/// million vertices sorts nothing, and thousands of them walk a few steps each. When walks become long again, because
-/// vertices have come, gone or moved, the tree is made again, which costs about what these walks did.
+/// The number of landmarks follows the number of steps by which walks have been too long, up to one vertex in `share`.
+/// So one insertion into a million vertices sorts nothing, and thousands of them walk a few steps each. When walks
+/// become long again, because vertices were added, removed or moved, the tree is rebuilt, which costs about as much as
+/// these walks did.
 template <int d>
 class Landmarks {
   public:
-    /// Of `own`, or none, the vertex of the last walk, and some landmarks around p, all of which is_present() has to
-    /// confirm, the nearest; `none` when none of them lives. Vertices are those below `bound` with lives(v), x their
-    /// positions. O(log n), beside what is said above.
+    /// The vertex nearest to p among `own` (a vertex or `none`), the vertex of the last walk, and some landmarks
+    /// around p, as far as is_present() confirms them; `none` when it confirms none. The vertices are the indices v
+    /// below `bound` with is_present(v), and x their positions. O(log n), beside the cost of the rebuild above.
     template <class Is_present>
     [[nodiscard]] Index near(std::span<const Coordinates<d>> x, std::size_t bound, const Coordinates<d>& p, Index own,
                              Is_present is_present) {
@@ -54,10 +56,10 @@ class Landmarks {
         if (steps > usual) excess_ += steps - usual;
     }
 
-    /// Facets that all walks so far have crossed: what locating has cost.
+    /// Facets crossed by all walks so far: the cost of locating.
     [[nodiscard]] std::uint64_t crossed() const noexcept { return crossed_; }
 
-    /// Of the vertices of a cell, infinity and `but` left out, the one nearest to p; or none.
+    /// The vertex of a cell nearest to p, other than infinity and `but`; or none.
     [[nodiscard]] static Index nearest(std::span<const Coordinates<d>> x,
                                        const std::array<Index, static_cast<std::size_t>(d + 1)>& cell,
                                        const Coordinates<d>& p, Index but) {
@@ -67,7 +69,7 @@ class Landmarks {
             if (v != infinite && v != but && (best == none || from(v) < from(best))) best = v;
         return best;
     }
-    /// Not the square, which would over- and underflow.
+    /// The sum of the differences, since squares would overflow and underflow.
     [[nodiscard]] static double distance(const Coordinates<d>& a, const Coordinates<d>& b) {
         double sum = 0.0;
         for (std::size_t k = 0; k < d; ++k) sum += std::fabs(a[k] - b[k]);
@@ -82,24 +84,24 @@ class Landmarks {
     static constexpr std::size_t bucket = 8;  // landmarks of a leaf, at most
 
     struct Landmark {
-        Coordinates<d> place;  // when the tree was made
+        Coordinates<d> place;  // its position when the tree was built
         Index vertex;
     };
-    /// By which those around a middle one were divided: the others follow it along this axis.
+    /// How a range was divided at its middle landmark: the ones after it follow it along this axis.
     struct Split {
         Coordinates<d> place;
         std::size_t axis;
     };
 
-    /// Where they are equal along the axis the next one tells, and so on: of points on a wall, too, there are as many
-    /// on both sides.
+    /// Ties along the axis are broken by the next axis, and so on. So points on a wall are divided evenly, too.
     [[nodiscard]] static bool precedes(const Coordinates<d>& l, const Coordinates<d>& r, std::size_t axis) {
         for (std::size_t k = 0; k < d; ++k, axis = (axis + 1) % d)
             if (l[axis] != r[axis]) return l[axis] < r[axis];
         return false;
     }
 
-    /// One vertex of each of as many runs of indices, drawn, since indices may have an order that places know of.
+    /// Draws one vertex from each of `count` runs of indices. Drawn at random, since indices may be in an order that
+    /// depends on positions.
     template <class Is_present>
     void renew(std::span<const Coordinates<d>> x, std::size_t bound, Is_present is_present) {
         const std::size_t count = std::min(bound / share + 1, excess_);
@@ -119,8 +121,7 @@ class Landmarks {
         divide(0, tree_.size());
     }
 
-    /// The middle one of [first, end) along the axis along which they are widest comes to the middle, and so on for
-    /// both halves.
+    /// Moves the median of [first, end) along the axis of largest extent to the middle, and so on for both halves.
     void divide(std::size_t first, std::size_t end) {
         if (end - first <= bucket) return;
         Coordinates<d> low = tree_[first].place;
@@ -156,7 +157,7 @@ class Landmarks {
     }
 
     std::vector<Landmark> tree_;
-    std::vector<Split> split_;   // by middle one
+    std::vector<Split> split_;   // by the middle landmark
     std::size_t excess_ = 0;     // steps beyond the usual since the tree was made
     std::uint64_t crossed_ = 0;  // facets, by all walks
     Index last_ = none;

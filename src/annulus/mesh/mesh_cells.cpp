@@ -36,9 +36,8 @@ Mesh_cells<d> mesh_cells(std::span<const Index> corners, std::size_t bound) {
         out.neighbours[c].fill(out.outside);
     }
     if (!corners.empty() && out.vertices[0][d] == none) return out;
-    // Facets by their least vertex, and those of one vertex, which are few, sorted by the others.
-    using Facet =
-        std::pair<std::array<Index, static_cast<std::size_t>(d)>, std::size_t>;  // and the corner opposite to it
+    // Facets grouped by their least vertex; the few of one vertex are sorted by the others.
+    using Facet = std::pair<std::array<Index, static_cast<std::size_t>(d)>, std::size_t>;  // and the opposite corner
     std::vector<Facet> facets;
     facets.reserve(corners.size());
     for (std::size_t c = 0; c < out.vertices.size(); ++c)

@@ -14,8 +14,8 @@
 
 namespace annulus {
 
-/// Makes a call in which TBB has at most `threads` threads, that which calls among them; one, where the system does
-/// not give so many.
+/// Runs a call in which TBB has at most `threads` threads, the calling one included; one thread if the system does not
+/// provide that many.
 template <class Call>
 void in_arena(int threads, const Call& call) {
     // Asking for more than the machine has gains nothing, and oneTBB warns about it on stderr.
@@ -23,8 +23,8 @@ void in_arena(int threads, const Call& call) {
     arena.execute(call);
 }
 
-/// Calls run(first, last) for the indices below n in runs of `length`, by at most `threads` threads at once. Which
-/// thread does which run is open: sums are to be kept by run and added in order.
+/// Calls run(first, last) for the indices below n in runs of `length`, by at most `threads` threads at once. The
+/// assignment of runs to threads is not determined: keep sums by run and add them in order.
 template <class Run>
 void for_each_run(std::size_t n, std::size_t length, int threads, const Run& run) {
     const std::size_t runs = (n + length - 1) / length;
@@ -36,10 +36,10 @@ void for_each_run(std::size_t n, std::size_t length, int threads, const Run& run
     in_arena(threads, [&] { oneapi::tbb::parallel_for(std::size_t{0}, runs, one); });
 }
 
-/// Fills slots by fill(slot) until it says false, calls work(slot) for each, on at most `threads` threads at once,
-/// and then take(slot), in the order in which they were filled. Of fill and take one call at a time runs, on any
-/// thread: what is taken adds up the same with any number of threads. There are a few slots for each thread, and they
-/// are filled again.
+/// Fills slots by fill(slot) until it returns false, calls work(slot) for each, on at most `threads` threads at once,
+/// and then take(slot), in the order in which they were filled. At most one call of fill and one of take runs at a
+/// time, on any thread: sums made by take do not depend on the number of threads. There are a few slots for each
+/// thread, and they are reused.
 template <class Slot, class Fill, class Work, class Take>
 void for_each_in_order(int threads, const Fill& fill, const Work& work, const Take& take) {
     namespace tbb = oneapi::tbb;
@@ -53,7 +53,7 @@ void for_each_in_order(int threads, const Fill& fill, const Work& work, const Ta
     std::vector<Slot> slots(4 * static_cast<std::size_t>(std::min(threads, tbb::info::default_concurrency())));
     std::size_t filled = 0;
     const auto first = [&](tbb::flow_control& flow) -> Slot* {
-        // As many slots back all has been taken: what is under way is consecutive.
+        // The slot filled slots.size() calls ago has been taken: those in use are consecutive.
         Slot& slot = slots[filled++ % slots.size()];
         if (fill(slot)) return &slot;
         flow.stop();

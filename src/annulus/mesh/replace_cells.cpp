@@ -8,11 +8,11 @@ namespace annulus {
 
 namespace {
 
-/// One side of a facet that is to be glued.
+/// One side of a facet whose two sides are to be joined.
 template <int d>
 struct Side {
     std::array<Site<d>, static_cast<std::size_t>(d)> sites;  // sorted
-    Corner_index half;                                       // outside the region, or in a fresh cell
+    Corner_index half;                                       // outside the cavity, or in a fresh cell
 };
 
 template <int d>
@@ -50,7 +50,7 @@ void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::spa
             sides.push_back(side<d>(x, i, h));
         }
     }
-    // Each occurs twice.
+    // Each facet occurs twice.
     std::sort(sides.begin(), sides.end(), [](const Side<d>& l, const Side<d>& r) { return l.sites < r.sites; });
     for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
         assert(sides[i].sites == sides[i + 1].sites);

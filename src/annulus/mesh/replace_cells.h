@@ -10,15 +10,14 @@
 
 namespace annulus {
 
-/// Puts the cells `fresh`, each with its vertices in positive order, infinity among them, in the place of the cells
-/// `old`; `made` receives the numbers of the new ones. Precondition: both have the same border, no facet of which is
-/// there twice.
-/// O(k log k) for k cells.
+/// Replaces the cells `old` by the cells `fresh`, each given by its vertices (infinity included) in positive order.
+/// `made` receives the indices of the new cells. Precondition: both sets have the same border, and no facet occurs
+/// twice in it. O(k log k) for k cells.
 template <int d>
 void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::vector<Cell_index>& made);
 
-/// What is beyond a facet of a fresh cell: a half-facet of another one, or, where `beyond` is a corner, that.
+/// What is beyond a facet of a fresh cell: `beyond` if that is a corner, otherwise a half-facet of another fresh cell.
 struct Fresh_neighbour {
     std::uint32_t fresh = 0;  ///< 4 * its place among the fresh cells + slot
     Corner_index beyond = no_corner;
@@ -26,7 +25,7 @@ struct Fresh_neighbour {
 template <int d>
 using Fresh_neighbours = std::array<Fresh_neighbour, static_cast<std::size_t>(d + 1)>;
 
-/// The same where it is known which cells are neighbours, which has to be mutual. O(k).
+/// The same for known neighbours, which must be mutual. O(k).
 template <int d>
 void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::span<const Cell_sites<d>> fresh,
                    std::span<const Fresh_neighbours<d>> neighbours, std::vector<Cell_index>& made);

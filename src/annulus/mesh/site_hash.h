@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// Where to begin to look for an array of sites in a table with open addressing, whose size is a power of two from 2
-/// on. By vertices alone: sites of one vertex are told apart when they are compared.
+/// Where to begin the search for an array of sites in a table with open addressing. The size of the table is a power
+/// of two, at least 2. Depends on vertices only: different sites of one vertex are told apart by comparison.
 template <class Sites>
 [[nodiscard]] std::size_t first_place(const Sites& sites, std::size_t places) {
     std::uint64_t key = 0;

@@ -11,15 +11,15 @@
 
 namespace annulus {
 
-/// The keys met on a walk around a vertex: no memory is asked for while they are few, and nothing is marked in what
-/// is walked over, so that walks may run side by side. `empty` is a key that never occurs. Open addressing; insertion
-/// is O(1) on average.
+/// The keys met on a walk around a vertex. Allocates no memory while they are few. Nothing is marked in the cells
+/// themselves, so several walks may run at the same time. `empty` is a key that never occurs. Open addressing;
+/// insertion is O(1) on average.
 template <class Key, class Hash>
 class Small_set {
   public:
     explicit Small_set(Key empty) : empty_(empty), slot_(few, empty) {}
 
-    /// False when it was there already.
+    /// Returns false when the key was there already.
     bool insert(Key key) {
         if (2 * (count_ + 1) > slot_.size()) grow();
         Key& slot = find(key);
@@ -52,7 +52,7 @@ class Small_set {
     std::size_t count_ = 0;
 };
 
-/// Of indices.
+/// The hash of an index.
 struct Index_hash {
     template <class Tag>
     [[nodiscard]] std::uint64_t operator()(Typed_index<Tag> i) const {

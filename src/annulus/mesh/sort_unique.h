@@ -11,14 +11,14 @@
 
 namespace annulus {
 
-/// Sorts a list and keeps one of each. O(n log n).
+/// Sorts a list and removes duplicates. O(n log n).
 template <class T>
 void sort_unique(std::vector<T>& list) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// The same of indices below a bound. When they are many they are marked, not compared: O(n + bound / 64).
+/// The same for indices below a bound. Many indices are marked, not compared: O(n + bound / 64).
 template <class Tag>
 void sort_unique(std::vector<Typed_index<Tag>>& list, Typed_index<Tag> bound) {
     constexpr std::size_t bits = 64;

@@ -9,7 +9,7 @@ namespace annulus {
 
 namespace {
 
-/// The half-facet beyond a cell that goes, opposite to its corner v.
+/// The half-facet on the other side of the facet opposite to v, in a cell that goes.
 Corner_index beyond(const Corner_table<3>& t, Cell_index c, Site<3> v) { return t.twin(t.corner(c, t.slot(c, v))); }
 
 void fill(Corner_table<3>& t, Cell_index c, const Cell_sites<3>& x) {

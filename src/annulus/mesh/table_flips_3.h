@@ -8,28 +8,50 @@
 
 namespace annulus {
 
-// Flips of a 3D table, with infinity among the vertices like any other. They say nothing of positions, and do
-// not ask whether an edge comes to be there twice: the cells stay glued to a manifold, whatever the flips
-// (docs/theory.md 6.2). Where two of the cells beside those that go are among those that go, they answer false and
-// change nothing. O(1).
+/*
+            c                                c
+           / \                              /|\
+          /   \          flip_facet        / | \
+         /     \            -->           /  o  \          o: the edge p q
+        /       \           <--          / _/ \_ \
+       /         \       flip_edge      /_/     \_\
+      a-----------b                    a-----------b
+    cells a b c q, b a c p          cells a b p q, b c p q, c a p q
+*/
+// Flips of a 3D table, with infinity among the vertices like any other. They do not use positions, and do not check
+// whether an edge would then exist twice: the cells stay glued to a manifold whatever the flips (docs/theory.md 6.2).
+// Where a cell beside the removed ones is one of them, they return false, or nothing, and change nothing. O(1).
+//
+// 2-3 and 3-2, seen along the edge p q, in the picture.
 
-/// 2-3: the facet at half-facet h goes, the edge between its opposite vertices comes. `made` receives the three
-/// cells, which have the numbers of the two that went and one more.
+/// 2-3: replaces the facet a b c at half-facet h by the edge between its opposite vertices p and q. `made` receives
+/// the three cells, which have the indices of the two old cells and a new one.
 [[nodiscard]] bool flip_facet(Corner_table<3>& t, Corner_index h, std::array<Cell_index, 3>& made);
 
-/// 3-2: the edge of the facet at half-facet h that lies opposite to the vertex of corner k, a corner of the same
-/// cell, goes if three cells share it; the triangle of the vertices around it comes. `made` receives the two cells,
-/// which keep numbers, and the one that is gone.
+/// 3-2: removes the edge that lies opposite to the vertex of corner k in the facet at half-facet h, if three cells
+/// share it, and creates the triangle of the vertices around it. Corner k is a corner of the same cell as h. In the
+/// picture p q is the removed edge. `made` receives the two new cells, which keep two of the old indices, and the cell
+/// that is gone.
 [[nodiscard]] bool flip_edge(Corner_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made);
 
-/// The cells around an edge that four cells share, and the two edges that could be there instead of it.
+/// The cells around an edge that four cells share, and those around the edge that would replace it.
 struct Flip_4_4 {
     std::array<Cell_index, 4> gone;
     std::array<std::array<Site<3>, 4>, 4> came;  ///< corners, in positive order if the cell is positive
 };
-/// 4-4: an edge that four cells share gives way to the edge of the opposite vertices of the facet at half-facet h.
-/// The edge is the one of that facet that lies opposite to the vertex of corner k, a corner of the same cell. Nothing
-/// where not four cells share it.
+/*
+       q                      q
+      / \                    /|\
+     /   \                  / | \
+    u-----w       ->       u  |  w
+     \   /                  \ | /
+      \ /                    \|/
+       p                      p
+*/
+/// 4-4: replacing an edge u w that four cells share by the edge of the opposite vertices p and q of the facet at
+/// half-facet h. Returns the cells that this would remove and create; the table is not changed. u w is the edge of that
+/// facet that lies opposite to the vertex c of corner k, a corner of the same cell as h. Returns nothing if not exactly
+/// four cells share u w. Each triangle of the picture makes one cell with c, in front of it, and one with r, behind it.
 [[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k);
 
 }  // namespace annulus

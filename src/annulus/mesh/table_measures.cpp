@@ -13,7 +13,7 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 constexpr double right_angle = 1.5707963267948966;
 
-/// The positions of points; where there is none it does not matter.
+/// The positions of points. Where a point is `none` the value does not matter.
 template <int d, std::size_t k>
 std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const std::array<Site<d>, k>& point) {
     std::array<Coordinates<d>, k> y{};
@@ -22,7 +22,7 @@ std::array<Coordinates<d>, k> places(std::span<const Coordinates<d>> x, const st
     return y;
 }
 
-/// Calls visit(points, verdict) for every certificate of v until it says no.
+/// Calls visit(value) for every certificate of v until it returns false.
 template <int d, class Visit>
 void for_each_value(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v, Visit visit) {
     bool on = true;
@@ -92,13 +92,13 @@ Measures measure(const Corner_table<d>& t, std::span<const Coordinates<d>> x) {
     return m;
 }
 
-#define ANNULUS_READINGS(d)                                                                            \
+#define ANNULUS_INSTANTIATE(d)                                                                         \
     template double star_tolerance<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index); \
     template double star_theta<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index);     \
     template bool star_holds<d>(const Corner_table<d>&, std::span<const Coordinates<d>>, Index);       \
     template Measures measure<d>(const Corner_table<d>&, std::span<const Coordinates<d>>);
-ANNULUS_READINGS(2)
-ANNULUS_READINGS(3)
-#undef ANNULUS_READINGS
+ANNULUS_INSTANTIATE(2)
+ANNULUS_INSTANTIATE(3)
+#undef ANNULUS_INSTANTIATE
 
 }  // namespace annulus

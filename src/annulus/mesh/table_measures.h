@@ -6,10 +6,10 @@
 
 #include <span>
 
-// What the certificates of a table measure at positions x, at which it is Delaunay.
+// Measures of the certificates of a table at positions x, where it is Delaunay.
 namespace annulus {
 
-/// Least tolerance of the certificates of v, certified. O(degree).
+/// Least tolerance of the certificates of v, a certified lower bound. O(degree).
 template <int d>
 [[nodiscard]] double star_tolerance(const Corner_table<d>& t, std::span<const Coordinates<d>> x, Index v);
 /// Least theta of the finite bi-cells that contain v; pi/2 when there is none. O(degree).

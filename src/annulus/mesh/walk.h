@@ -11,20 +11,21 @@
 
 namespace annulus {
 
-/// The exact orientation of d + 1 points: by the filter where that can tell.
+/// The exact orientation of d + 1 points: by the filter, and by the exact stage where the filter cannot decide.
 template <int d>
 [[nodiscard]] int sure_orientation(const Tuple<d, d + 1>& x) {
     const int sign = orientation_sign(x);
     return sign != 0 ? sign : exact_orientation_sign(x).sign;
 }
 
-/// A cell that holds p, itself or its border; one with infinity when p is outside the hull. The walk goes from `start`
-/// across facets that p is beyond, never back across the last one; which facet is looked at first is drawn, the same
-/// way every time. `steps` is raised by the facets crossed. With exact signs it ends in every triangulation that is
-/// Delaunay.
+/// A cell that holds p in its interior or on its border; an infinite cell when p is outside the hull. The walk goes
+/// from `start` across facets that p is beyond, never back across the last one. The facet that is tested first is
+/// drawn at random, but the same in every run. Adds the number of facets crossed to `steps`. With exact signs the walk
+/// ends in every Delaunay triangulation.
 ///
-/// Walker says what it walks on: corners(cell), pointers to where they are, of a finite one; is_infinite(cell),
-/// beyond(cell, slot), the cell across a facet, and inner(cell), the finite neighbour of one with infinity.
+/// A Walker describes what the walk goes through: corners(cell), pointers to the positions of the corners of a finite
+/// cell; is_infinite(cell); beyond(cell, slot), the cell across a facet; and inner(cell), the finite neighbour of an
+/// infinite cell.
 template <int d, class Walker, class Cell>
 [[nodiscard]] Cell walk_to(const Walker& on, const Coordinates<d>& p, Cell start, std::size_t& steps) {
     std::uint32_t random = 1;

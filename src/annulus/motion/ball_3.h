@@ -5,7 +5,7 @@
 
 namespace annulus {
 
-/// The ball around the origin.
+/// The ball with its centre at the origin.
 class Ball_3 final : public Domain_3 {
   public:
     /// Throws Error(usage) unless 1e-100 <= radius <= 1e100.

@@ -98,7 +98,7 @@ void Clipper_2::write_corners(std::vector<Corner_2>& corners) const {
         const Half_plane_2& after = line_[corner_[i].line];
         const double turn = cross(before.normal, after.normal);
         Coordinates<2> offset = corner_[i].offset;
-        // Two lines that hardly differ in direction meet nowhere in particular: there the clipped corner is better.
+        // Two nearly parallel lines have no well-defined intersection: the clipped corner is better there.
         if (turn * turn > 1e-12 * dot(before.normal, before.normal) * dot(after.normal, after.normal))
             offset = {(before.bound * after.normal[1] - after.bound * before.normal[1]) / turn,
                       (after.bound * before.normal[0] - before.bound * after.normal[0]) / turn};

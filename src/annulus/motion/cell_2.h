@@ -9,21 +9,21 @@
 
 namespace annulus {
 
-/// A corner of a planar cell, as an offset (unit: length) from the cell's origin, and what leads to the next corner.
+/// A corner of a 2D cell, as an offset (unit: length) from the cell's origin, and the kind of edge to the next corner.
 struct Corner_2 {
     Coordinates<2> offset{};
-    /// False: a straight edge. True: the counter-clockwise arc of the circle around (0, 0) (of the plane, not of the
-    /// cell) through this corner and the next. An arc spans less than a full turn.
+    /// False: a straight edge. True: the counter-clockwise arc of the circle around (0, 0) (in absolute coordinates,
+    /// not the cell's) through this corner and the next. An arc spans less than a full turn.
     bool arc = false;
 };
 
-/// The line { u : normal . u = bound } in offsets from a cell's origin; the cell is where normal . u <= bound.
+/// The line { u : normal . u = bound } in offsets from a cell's origin; the cell is on the side normal . u <= bound.
 struct Half_plane_2 {
     Coordinates<2> normal{};
     double bound = 0;
 };
 
-/// A convex region of the plane bounded by straight edges and by arcs around (0, 0), counter-clockwise.
+/// A convex 2D region bounded by straight edges and by arcs around (0, 0), counter-clockwise.
 ///
 /// Corners are offsets from `origin`, a point in or near the region, because a small cell far from (0, 0) would lose
 /// its shape in absolute coordinates. No corners: the empty region.
@@ -42,8 +42,8 @@ struct Cell_2 {
 /// The disc of `radius` around (0, 0) as four quarter arcs, seen from `origin`. Precondition: radius > 0.
 void assign_disc(const Coordinates<2>& origin, double radius, std::vector<Corner_2>& corners);
 
-/// Cuts a straight-edged convex cell to the disc of `radius` around (0, 0). O(corners); appends to nothing, replaces
-/// `cell.corners`, with `scratch` as work space. A corner on the circle is off it by a few roundings of the radius.
+/// Cuts a straight-edged convex cell to the disc of `radius` around (0, 0). O(corners). Replaces `cell.corners`;
+/// `scratch` is work space. A corner on the circle is off it by a few roundings of the radius.
 void clip_to_disc(Cell_2& cell, double radius, std::vector<Corner_2>& scratch);
 
 /// A convex polygon under clipping that remembers for every edge the line it lies on.

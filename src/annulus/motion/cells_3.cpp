@@ -19,7 +19,8 @@ struct Facet {
     Index corner;
 };
 
-/// Makes the cells of facets with one least vertex adjacent. `table` is work space: a hash table of the facets seen.
+/// Links the cells across facets that have the same least vertex. `table` is work space: a hash table of the facets
+/// seen.
 void join(std::span<const Facet> facets, std::vector<Index>& table, Cells_3& out) {
     std::size_t size = 16;
     while (size < 2 * facets.size()) size *= 2;
@@ -52,7 +53,7 @@ Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threa
     Cells_3 out;
     out.vertex = std::move(cells);
     out.adjacent.assign(out.size(), {none, none, none, none});
-    // Facets by their least vertex (counting sort), then a search among the few with the same one.
+    // Sorts facets by their least vertex (counting sort), then searches among the few that share it.
     std::vector<std::size_t> begin(n + 2, 0);
     const auto ends = [&](std::size_t c, std::size_t i) {
         const auto& f = facet_corners[i];

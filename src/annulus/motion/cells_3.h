@@ -26,21 +26,21 @@ inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corners{{{1, 2,
 /// cells share a facet. O(n), by sorting facets on their least vertex.
 [[nodiscard]] Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);
 
-/// The signed volume of a cell, and that times the vector from its first corner to its circumcentre. Without a
-/// division, so that flat cells, whose circumcentre is anywhere, have a value that is small like they are.
+/// The signed volume of a cell, and this volume times the vector from the first corner to the circumcentre. There is no
+/// division, so that the values of a flat cell, whose circumcentre may be anywhere, are small, too.
 struct Cell_moment {
     Coordinates<3> moment{};
     double volume = 0;
 };
 [[nodiscard]] Cell_moment cell_moment(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                       const Coordinates<3>& d);
-/// Whether the circumcentre of the cell with first corner a is in the domain. Not where it is no finite point in
+/// Whether the circumcentre of the cell with first corner a is in the domain. False where it is not a finite point in
 /// doubles.
 [[nodiscard]] bool is_inside(const Domain_3& domain, const Coordinates<3>& a, const Cell_moment& cell);
 
-/// Which cells are of the domain: those whose circumcentre it contains (the restricted Delaunay triangulation, as in
-/// the meshes of Mesh_3). A flat cell, whose circumcentre is no finite point in doubles, is not. The same for any
-/// number of threads.
+/// Which cells belong to the domain: those whose circumcentre it contains (the restricted Delaunay triangulation, as in
+/// the meshes of Mesh_3). A flat cell, whose circumcentre is not a finite point in doubles, does not. The result does
+/// not depend on the number of threads.
 [[nodiscard]] std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells,
                                              std::span<const Coordinates<3>> position, int threads = 1);
 

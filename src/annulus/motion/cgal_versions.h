@@ -15,7 +15,7 @@
 
 namespace annulus {
 
-// Until 5.6 CGAL answers in Boost's variants and optionals, from 6.0 on in those of C++.
+// Up to 5.6 CGAL returns variants and optionals of Boost, from 6.0 on those of C++.
 #if CGAL_VERSION_NR >= 1060000000
 template <class... T>
 using Cgal_variant = std::variant<T...>;
@@ -28,7 +28,7 @@ template <class T>
 using Cgal_optional = boost::optional<T>;
 #endif
 
-/// The T that a variant of CGAL's holds, or nullptr.
+/// The T that a CGAL variant holds, or nullptr.
 template <class T, class... U>
 [[nodiscard]] const T* alternative(const Cgal_variant<U...>& v) noexcept {
 #if CGAL_VERSION_NR >= 1060000000

@@ -12,7 +12,7 @@ namespace annulus {
 
 namespace {
 
-/// A corner, and where it stands in the list that was given.
+/// A corner and its index in the input list.
 struct Listed {
     Coordinates<2> p;
     std::size_t index;
@@ -25,7 +25,7 @@ using Ring = std::vector<Listed>;
 
 int turn(const Listed& a, const Listed& b, const Listed& c) { return exact_orientation_sign({&a.p, &b.p, &c.p}).sign; }
 
-/// What rounding of coordinates up to `scale`, and of distances computed from them, comes to.
+/// A bound of the rounding of coordinates up to `scale`, and of distances computed from them.
 double slack_at(double scale) { return 4e-15 * scale; }
 
 /// The largest coordinate in magnitude.
@@ -67,7 +67,7 @@ void require_area(const Ring& ring, std::size_t given, double scale) {
         0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) + " are on one line");
 }
 
-/// Exact: a corner on the line of its neighbours is between them, and goes, or the list turns back at it.
+/// Exact: a corner on the line of its neighbours is between them and is dropped, or the list turns back at it.
 Ring without_flat_corners(const Ring& ring) {
     Ring kept;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -98,7 +98,7 @@ void require_edge(const Listed& a, const Listed& b, std::span<const Listed> betw
         reached = std::max(reached, along);
     }
     if (worst == nullptr) return;
-    // A pocket has a corner at which the list turns the other way; that is the one to look at.
+    // A pocket has a corner at which the list turns the other way; that one is examined.
     for (std::size_t k = 0; k < between.size(); ++k)
         if (turn(k > 0 ? between[k - 1] : a, between[k], k + 1 < between.size() ? between[k + 1] : b) < 0) {
             worst = &between[k];
@@ -108,7 +108,7 @@ void require_edge(const Listed& a, const Listed& b, std::span<const Listed> betw
                                 : "a polygon must be convex; this one goes around counter-clockwise and turns right");
 }
 
-/// Graham's scan of a list that is in order already: what it drops is no corner of the convex hull.
+/// Graham's scan of a list that is in order already: what it drops is not a corner of the convex hull.
 Ring hull_of(const Ring& ring, bool reversed, double scale) {
     std::vector<std::size_t> hull{0};
     const auto drop_back_at = [&](const Listed& next) {
@@ -131,7 +131,7 @@ Ring hull_of(const Ring& ring, bool reversed, double scale) {
     return kept;
 }
 
-/// Corners that rounding has taken off a line have a triangle or two between them, and nothing else.
+/// Corners that rounding has moved off a line span a triangle or two, and nothing else.
 void require_width(const Ring& ring, double scale) {
     double length = 0, width = 0;
     Coordinates<2> from{}, along{};

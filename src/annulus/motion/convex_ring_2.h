@@ -11,7 +11,7 @@
 
 namespace annulus {
 
-/// A list of corners that is no convex polygon, and at which corner that shows.
+/// The error of a list of corners that is not a convex polygon, with the corner at which that shows.
 class Corner_error : public Error {
   public:
     Corner_error(std::size_t corner, const std::string& what) : Error(Error_code::bad_input, what), corner_(corner) {}

@@ -10,8 +10,8 @@
 
 namespace annulus {
 
-/// Natural ODT on the sharp edges of a surface: a vertex on a curve wants to go to the mean of the middles of the two
-/// pieces of the curve beside it, weighted with their lengths, which is the middle between its neighbours; a corner
+/// Natural ODT on the sharp edges of a surface: the target of a vertex on a curve is the mean of the midpoints of the
+/// two pieces of the curve beside it, weighted with their lengths, which is the middle between its neighbours; a corner
 /// stays.
 class Curve_motion {
   public:
@@ -31,10 +31,10 @@ class Curve_motion {
     [[nodiscard]] bool is_corner(std::size_t v) const {
         return !places_.empty() && places_[v] == Feature_curves::Place::corner;
     }
-    /// What the vertices on curves want, each of which is on its curve up to rounding. O(k log k) for k of them and
-    /// searches of their curves.
+    /// The targets of the vertices on curves; each vertex is on its curve up to rounding. O(k log k) for k of them,
+    /// plus searches of their curves.
     [[nodiscard]] std::vector<Target_on_curve> wishes(std::span<const Coordinates<3>> position) const;
-    /// Where it comes to when it goes from `at` towards `wanted` by this share of the way, but no farther than `most`.
+    /// The position after this fraction of the way from `at` towards `wanted`, but no farther than `most`.
     [[nodiscard]] Coordinates<3> place(const Target_on_curve& wish, double share, double most) const;
 
   private:

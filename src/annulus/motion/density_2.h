@@ -18,13 +18,13 @@ enum class Density {
     sin2,        ///< sin^2(sqrt(x^2 + y^2)), radians
 };
 
-/// All of them, for loops over densities.
+/// All densities, for loops.
 inline constexpr Density all_densities[] = {Density::one, Density::x2_plus_y2, Density::x2, Density::sin2};
 
 /// The density's name on a command line: `one`, `x2+y2`, `x2`, `sin2`.
 [[nodiscard]] std::string_view name_of(Density density);
 
-/// The density of that name. Throws Error(usage) naming the choices when there is none.
+/// The density with that name. Throws Error(usage) that lists the choices when there is none.
 [[nodiscard]] Density parse_density(std::string_view name);
 
 /// Any density that is smooth.
@@ -37,14 +37,14 @@ struct Smooth_density {
     double amplitude = 1, rate = 1;
 };
 
-/// What cells are weighted by.
+/// A density by which cells are weighted.
 using Density_2 = std::variant<Density, Smooth_density, Image_density>;
 
 /// The density at p, at least 0. Error: a few roundings of the value, plus, for sin2, of |p| in the argument.
 [[nodiscard]] double density_at(Density density, const Coordinates<2>& p);
 [[nodiscard]] double density_at(const Density_2& density, const Coordinates<2>& p);
 
-/// How far a region reaches, all that a bound of a density over it needs.
+/// The extent of a region: all that a bound of a density over it needs.
 struct Extent_2 {
     double r_min = 0;      ///< least distance from (0, 0) to the region, or less
     double r_max = 0;      ///< greatest distance from (0, 0), or more

@@ -12,7 +12,7 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// Whether two targets are equal, which hardly ever happens. O(n) expected, with hashing.
+/// Whether two targets are equal, which is very rare. O(n) expected, by hashing.
 bool any_equal(std::span<const Coordinates<3>> target) {
     std::size_t size = 16;
     while (size < 2 * target.size()) size *= 2;

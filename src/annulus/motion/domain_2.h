@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// A bounded convex region of the plane with an inside: a disc around (0, 0) or a convex polygon. Immutable.
+/// A bounded convex 2D region with non-empty interior: a disc around (0, 0) or a convex polygon. Immutable.
 ///
 /// Lengths are in the caller's unit and must lie between 1e-100 and 1e100, so that squares neither overflow nor vanish.
 /// Every factory throws Error(bad_input) when the numbers do not describe such a region.
@@ -26,7 +26,7 @@ class Domain_2 {
     /// The square [-half_side, half_side]^2, a polygon.
     [[nodiscard]] static Domain_2 square(double half_side);
     /// The convex polygon with these corners, in order, either way round, the first one again at the end or not: see
-    /// `convex_ring`, which says what is dropped and throws Corner_error, an Error(bad_input) that knows at which
+    /// `convex_ring`, which says what is dropped and throws Corner_error, an Error(bad_input) with the index of the
     /// corner. The same bits for every such list of the same polygon. O(corners).
     [[nodiscard]] static Domain_2 polygon(std::span<const Coordinates<2>> corners);
     /// The convex hull of points, not all on a line; every point is in it (see `contains`). O(n log n).
@@ -78,7 +78,7 @@ class Domain_2 {
     Extent_2 extent_;
 };
 
-/// Throws Error(usage) unless the density is one of the domain: an Image_density, that of a polygon in the image's
+/// Throws Error(usage) unless the density suits the domain: for an Image_density a polygon inside the image's
 /// rectangle.
 void require_density(const Density_2& density, const Domain_2& domain);
 

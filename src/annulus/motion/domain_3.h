@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// A bounded open set of space with a closed surface around it. Immutable; const members may run concurrently.
+/// A bounded open set in 3D with a closed surface around it. Immutable; const members may run concurrently.
 class Domain_3 {
   public:
     struct Box {
@@ -26,8 +26,8 @@ class Domain_3 {
     /// The nearest point of the surface, up to rounding. Precondition: p is finite.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p) const = 0;
     /// The same for queries that are repeated from places that are close together: `near` is a point of the surface, up
-    /// to rounding, not far away, and `nearby` is what was kept of earlier questions to this domain. The answer is the
-    /// same bit for bit whatever these are.
+    /// to rounding, not far away, and `nearby` is the state kept from earlier queries of this domain. The result is bit
+    /// for bit the same whatever these are.
     [[nodiscard]] virtual Coordinates<3> project(const Coordinates<3>& p, const Coordinates<3>& near,
                                                  Nearby_3& nearby) const {
         (void)near, (void)nearby;

@@ -17,7 +17,7 @@ using Sharp_edge = std::array<Index, 2>;
 
 std::size_t place_of(Index i) { return static_cast<std::size_t>(i); }
 
-/// In [0, pi]; of vectors whose lengths may be anything but 0.
+/// An angle in [0, pi] between vectors of any length but 0.
 double angle_between(const Coordinates<3>& u, const Coordinates<3>& v) {
     const Coordinates<3> n = cross(u, v);
     return std::atan2(std::hypot(n[0], n[1], n[2]), dot(u, v));
@@ -29,7 +29,7 @@ Coordinates<3> direction(const Coordinates<3>& p, const Coordinates<3>& q) {
     return {d[0] / length, d[1] / length, d[2] / length};
 }
 
-/// Normals from unit vectors, so that small triangles do not come to nothing.
+/// Normals from unit vectors, so that those of small triangles do not underflow.
 Coordinates<3> normal_of(const Triangle_surface& s, const std::array<Index, 3>& t) {
     const auto p = [&](std::size_t i) { return s.points[place_of(t[i])]; };
     return cross(direction(p(0), p(1)), direction(p(0), p(2)));
@@ -72,7 +72,7 @@ class Edge_walk {
     [[nodiscard]] std::size_t degree(Index v) const { return begin_[place_of(v) + 1] - begin_[place_of(v)]; }
     [[nodiscard]] Index other(Index v, std::size_t i) const { return half_[begin_[place_of(v)] + i].to; }
 
-    /// Goes on from v by the first edge that has not been walked; none where all are.
+    /// Continues from v along the first edge that has not been walked; returns none where all have been.
     Index next(Index v) {
         for (std::size_t i = begin_[place_of(v)]; i < begin_[place_of(v) + 1]; ++i) {
             if (half_[i].walked) continue;
@@ -153,7 +153,7 @@ std::vector<Feature_curves::Place> Feature_curves::places(std::span<const Coordi
     return place;
 }
 
-void Feature_curves::recompute_tolerances(std::span<Coordinates<3>> points, double reach) const {
+void Feature_curves::snap(std::span<Coordinates<3>> points, double reach) const {
     const std::vector<Place> place = places(points, reach);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto c = static_cast<Index>(place[i]); c >= 0) {

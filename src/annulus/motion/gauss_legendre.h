@@ -16,11 +16,11 @@ struct Gauss_rule {
     std::array<double, max_size> weight{};
 };
 
-/// Gauss-Legendre, the weight function 1; 1 <= size <= 12. Nodes and weights are good to an ulp or two. The table is
-/// made once.
+/// Gauss-Legendre, the weight function 1; 1 <= size <= 12. Nodes and weights are accurate to an ulp or two. The table
+/// is made once.
 [[nodiscard]] const Gauss_rule& gauss_rule(int size);
 
-/// Gauss-Jacobi for the weight function t: along a ray, as area spreads. Otherwise the same.
+/// Gauss-Jacobi for the weight function t, which is how area grows along a ray. Otherwise the same.
 [[nodiscard]] const Gauss_rule& radial_rule(int size);
 
 }  // namespace annulus

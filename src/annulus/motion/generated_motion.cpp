@@ -40,8 +40,8 @@ void Generated_motion<d>::step() {
     }
 }
 
-/// Turns each arm by an angle whose half has the tangent `pace`: a rotation of rational numbers. In 3D the planes of
-/// orbits are those of two axes, in turn.
+/// Turns each arm by an angle whose half has the tangent `pace`: a rotation of rational numbers. In 3D the orbits lie
+/// in planes spanned by two axes, in turn.
 template <int d>
 void Generated_motion<d>::orbit() {
     const double cosine = (1 - pace_ * pace_) / (1 + pace_ * pace_), sine = 2 * pace_ / (1 + pace_ * pace_);

@@ -15,7 +15,7 @@ Coordinates<d> uniform_point(Portable_random& random) {
     return p;
 }
 
-/// On the sphere in the cube: the direction of a uniform point of the ball in it.
+/// A point on the sphere in the cube: the direction of a uniform point of the ball inside.
 template <int d>
 Coordinates<d> point_on_sphere(Portable_random& random) {
     while (true) {

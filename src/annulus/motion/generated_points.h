@@ -20,7 +20,7 @@ enum class Point_family {
     grid,         ///< a regular grid, row by row; its last rows may be absent
     jittered,     ///< the same, each coordinate moved by at most a quarter of the grid's spacing
     cospherical,  ///< on one circle or sphere, as well as doubles can
-    clusters,     ///< around a centre for each hundred points, as wide as six decades tell
+    clusters,     ///< around one centre for each hundred points, with widths over six decades
     surface,      ///< on an ellipse or ellipsoid with axes 1, 0.8, 0.6, as well as doubles can
 };
 /// Their names, as in the tool.
@@ -32,7 +32,7 @@ inline constexpr std::array<std::pair<std::string_view, Point_family>, 6> point_
      {"clusters", Point_family::clusters},
      {"surface", Point_family::surface}}};
 
-/// The one of that name in a list like `point_families`.
+/// The element with that name of a list like `point_families`.
 template <class Family, std::size_t n>
 [[nodiscard]] std::optional<Family> family_named(const std::array<std::pair<std::string_view, Family>, n>& families,
                                                  std::string_view name) {
@@ -41,14 +41,14 @@ template <class Family, std::size_t n>
     return std::nullopt;
 }
 
-/// The same numbers for a seed wherever doubles are: nothing but their arithmetic and square roots.
+/// The same numbers for a seed on every platform with IEEE doubles: only arithmetic and square roots are used.
 class Portable_random {
   public:
     explicit Portable_random(std::uint64_t seed) : bits_(seed) {}
 
     /// In [0, 1), a multiple of 2^-53.
     double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-    /// Of mean 0 and variance 1, between -3.5 and 3.5: four uniform ones.
+    /// A number of mean 0 and variance 1, between -3.5 and 3.5: the sum of four uniform ones.
     double bell();
     std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits_() % n); }
 
@@ -56,7 +56,7 @@ class Portable_random {
     std::mt19937_64 bits_;
 };
 
-/// How many points of a grid along each axis n points need; its reciprocal is their spacing.
+/// The number of points along each axis of a grid of n points; its reciprocal is their spacing.
 template <int d>
 [[nodiscard]] std::size_t grid_side(std::size_t n);
 

@@ -31,11 +31,11 @@ class Image_density {
     /// The greatest weight, and the sum of all: the integral over the image.
     [[nodiscard]] std::uint32_t most() const { return most_; }
     [[nodiscard]] std::uint64_t total() const { return total_; }
-    /// The density at p, and outside of the image that of the nearest point in it. O(1).
+    /// The density at p; outside the image that of the nearest point in it. O(1).
     [[nodiscard]] double at(const Coordinates<2>& p) const;
 
-    /// A place where a weight is given, and what the density adds up to along its row from the first node on.
-    /// Integers, so that differences are exact however small they are beside the whole.
+    /// A position where a weight is given, and the integrals of the density along its row from the first node on.
+    /// Integers, so that differences are exact however small they are compared with the whole.
     struct Node {
         std::int64_t weight;
         std::int64_t sum;     ///< twice the integral of the density

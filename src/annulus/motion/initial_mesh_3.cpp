@@ -27,7 +27,7 @@ namespace {
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The same with curves and corners on which there are to be vertices; none unless they are added.
+/// The same with curves and corners on which vertices are placed; there are none unless they are added.
 using Sharp_domain = CGAL::Mesh_domain_with_polyline_features_3<Mesh_domain_3>;
 
 void add(Sharp_domain& domain, const Feature_curves& sharp) {
@@ -53,23 +53,23 @@ struct Field {
 };
 
 using Triangulation = CGAL::Mesh_triangulation_3<Sharp_domain>::type;
-/// A class of this namespace, so that `dump_c3t3` below is found for it.
+/// A class of this namespace, so that lookup finds `dump_c3t3` below.
 struct Complex
     : CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Sharp_domain::Corner_index, Sharp_domain::Curve_index> {};
-/// Mesh_3 writes a file named dump-bug before some of its failures. Not here: they are caught.
+/// Mesh_3 writes a file named dump-bug before some of its failures. This overload writes none: the failures are caught.
 [[maybe_unused]] void dump_c3t3(const Complex&, const std::string&) {}
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
-/// What is asked of shapes. Refinement for angles of facets and cells need not end next to sharp edges, which Mesh_3
-/// does not know of: vertices come closer and closer, until points coincide and it throws. The last of these asks for
-/// sizes and distances only, so that every new vertex keeps a distance from the others.
+/// Criteria for shapes. Refinement for angles of facets and cells need not terminate next to sharp edges, which Mesh_3
+/// has not been given: vertices come closer and closer, until points coincide and it throws. The last of these criteria
+/// has sizes and distances only, so that every new vertex keeps a distance from the others.
 struct Shapes {
     double angle;        ///< of facets, at least, in degrees
     double radius_edge;  ///< of cells, at most; 0 is any
 };
 constexpr std::array<Shapes, 3> shapes{{{25, 2}, {0, 2}, {0, 0}}};
 
-/// CGAL says on standard error what it finds strange. Here that is either dealt with or an exception.
+/// CGAL writes warnings to standard error. Here each of these cases is either handled or an exception.
 class Silence {
   public:
     Silence() : warning_(CGAL::set_warning_handler(nothing)), error_(CGAL::set_error_handler(nothing)) {}
@@ -85,7 +85,8 @@ class Silence {
     CGAL::Failure_function warning_, error_;
 };
 
-/// The shortest of the edges in the mesh is this small a part of the size asked for: then shapes ask for too much.
+/// Where the shortest edge of the mesh is this small a part of the requested size, the criteria for shapes are too
+/// strict.
 constexpr double wild = 0.01;
 
 bool runs_wild(const Complex& c3t3, double h) {
@@ -102,7 +103,7 @@ struct Attempt {
     std::vector<K::Point_3> points;  ///< of a complete one
 };
 
-/// 1, and for sizes far from it about the longest side of the box: CGAL's constructions do not bear these well.
+/// 1, or about the longest side of the box where that is far from 1: CGAL's constructions lose accuracy there.
 double unit_of(const Domain_3& domain) {
     const auto b = domain.bounding_box();
     const int exponent =
@@ -115,7 +116,7 @@ Attempt mesh(const Domain_3& domain, const Sizing_3& sizing, double h, std::uint
              std::size_t most, const Feature_curves* sharp) {
     const Silence silence;
     std::atomic<bool> stop = false;
-    // Measured: 15 to 50 questions a vertex. Refinement that refuses each point that it thinks of asks for ever, and
+    // Measured: 15 to 50 queries per vertex. Refinement that rejects each of its own points queries for ever, and
     // slowly, because everything is nearly degenerate there.
     const double unit = unit_of(domain);
     Sharp_domain mesh_domain(domain, unit, seed, 25 * std::uint64_t{most}, &stop);
@@ -157,8 +158,8 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
                                          std::uint64_t seed, const Feature_curves* sharp) {
     if (sharp != nullptr && sharp->corners().empty() && sharp->curves().empty()) sharp = nullptr;
     if (n < 4) throw Error(Error_code::usage, "a mesh needs at least 4 vertices");
-    // Of the counts so far, those around n, as logarithms of (size, count); the count falls with the size about as its
-    // third power.
+    // The counts so far that bracket n, as logarithms of (size, count); the count falls about as the third power of the
+    // size.
     const double first = 1.2 * std::cbrt(domain.volume() / static_cast<double>(n));
     double h = first;
     const std::size_t most = 10 * n + 2000;
@@ -186,7 +187,7 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
         (now[1] > 0 ? fine : coarse) = now;
         if (!too_many && distance(size) < distance(best.size())) best = std::move(attempt.points);
         if (coarse && fine) {
-            // The false position, kept off the ends, where it would stay.
+            // Regula falsi, kept off the ends, where it would stall.
             const double t = std::clamp((*fine)[1] / ((*fine)[1] - (*coarse)[1]), 0.1, 0.9);
             h = std::exp((*fine)[0] + t * ((*coarse)[0] - (*fine)[0]));
         } else {

@@ -12,7 +12,7 @@ namespace annulus {
 
 namespace {
 
-/// The vertices of a number of the table that is no cell.
+/// The vertices stored for a number of the table that is not a cell.
 constexpr Index absent = none;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -55,7 +55,7 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
             throw Error(Error_code::unknown_vertex, "a cell names no vertex");
     sort_cells(cells, n);
     seen_.clear();
-    // Nothing has changed where only other cells than the finite ones have, or numbers.
+    // Nothing has changed where only infinite cells or cell numbers have.
     if (cells == cells_.vertex) return;
     cells_ = linked(std::move(cells), n, threads);
     known_.assign(cells_.size(), 0);
@@ -63,8 +63,8 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
     moment_.resize(cells_.size());
 }
 
-/// A cell that is new differs from what had its number before. One that has but changed its number is both gone and
-/// fresh, and so neither.
+/// A new cell differs from the cell that had its number before. One that has only changed its number is both gone and
+/// fresh, hence neither.
 void Kept_cells_3::find_changes(const Corner_table<3>& table) {
     gone_.clear();
     fresh_number_.clear();
@@ -101,8 +101,8 @@ void Kept_cells_3::read(const Corner_table<3>& table, int threads) {
     seen_ = std::move(seen);
 }
 
-/// Old cells keep their order, and what is known of them; the fresh ones go between. Two old cells are adjacent if
-/// they were; so only what is adjacent to a fresh one is asked of the table.
+/// Old cells keep their order and their data; fresh ones are inserted between them. Two old cells are adjacent if they
+/// were before, so that only the neighbours of fresh ones are read from the table.
 void Kept_cells_3::merge(const Corner_table<3>& table) {
     std::vector<Cell> made;
     for (const Cell_index k : fresh_number_) made.push_back(in_order(seen_[k]));
@@ -154,11 +154,11 @@ void Kept_cells_3::merge(const Corner_table<3>& table) {
     for (auto& four : cells_.adjacent)
         for (Index& c : four)
             if (c != none) c = new_place_[at(c)];
-    // Again where places of fresh cells were given: they had none to be mapped.
+    // A second pass for fresh cells, which had no old place to be mapped.
     for (const Cell_index k : fresh_number_) link(table, k);
 }
 
-/// Writes what is adjacent to a cell of the table, on both sides.
+/// Writes the adjacency of a cell of the table, on both sides.
 void Kept_cells_3::link(const Corner_table<3>& table, Cell_index number) {
     const Cell cell = in_order(seen_[number]);
     const Index here = find(cell);

@@ -18,21 +18,21 @@ namespace annulus {
 /// Sorts cells, each `in_order`, of vertices below n. O(n), as few cells have one least vertex.
 void sort_cells(std::vector<std::array<Index, 4>>& cells, std::size_t n);
 
-/// The finite cells of a triangulation, `in_order` and sorted, so in one order whatever its history, with their
-/// adjacency; and where their circumcentres are, and which of them are of a domain. Kept from step to step: what has
-/// not changed is not done again.
+/// The finite cells of a triangulation, `in_order` and sorted, hence in an order that does not depend on history, with
+/// their adjacency, their circumcentres, and a flag for those that belong to a domain. Kept from step to step: only
+/// what has changed is recomputed.
 ///
-/// What is computed from them in their order is the same bit for bit under every strategy and for any number of
+/// Results computed from them in their order are bit for bit the same under every strategy and for any number of
 /// threads.
 class Kept_cells_3 {
   public:
     /// Reads a table with infinite cells. Its cells are compared with those of the last reading: O(cells) with a small
-    /// constant, and O(log cells) for each one that differs; where many do, all are sorted and linked again.
+    /// constant, and O(log cells) for each cell that differs; where many differ, all are sorted and linked again.
     void read(const Corner_table<3>& table, int threads = 1);
     /// Reads a list of the finite cells, positive and in any order. Vertices are below n. O(n).
     void read(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads = 1);
-    /// Circumcentres of all cells, and flags like those of `cells_inside`. What is known of cells none of whose
-    /// vertices have moved since they were measured last is kept. O(cells).
+    /// Computes the circumcentres of all cells, and flags like those of `cells_inside`. Keeps the results of cells none
+    /// of whose vertices have moved since the last measurement. O(cells).
     void measure(const Domain_3& domain, std::span<const Coordinates<3>> position, int threads = 1);
 
     [[nodiscard]] const Cells_3& cells() const { return cells_; }

@@ -31,7 +31,7 @@ struct Samples {
 
 Samples average(const Labelled_image& image, std::size_t most) {
     Samples s;
-    double block = 0;  // the least length that is wanted of a block
+    double block = 0;  // the least length of a block
     for (std::size_t k = 0; k < 3; ++k)
         block = std::max(block, image.spacing[k] * static_cast<double>(image.size[k]) / static_cast<double>(most));
     std::array<std::size_t, 3> voxels{};
@@ -92,7 +92,7 @@ class Marching {
         const auto [at, is_new] = index_.emplace(key, static_cast<Index>(out_.points.size()));
         if (is_new) {
             const double fa = s_.share[a], fb = s_.share[b];
-            // Not to an end: points of different edges would meet there.
+            // Not up to an end: points of different edges would coincide there.
             const double t = std::clamp((0.5 - fa) / (fb - fa), 0.02, 0.98);
             const Coordinates<3> p = s_.place(a), q = s_.place(b);
             Coordinates<3> x;
@@ -110,7 +110,7 @@ class Marching {
     }
 
     void cut(std::array<std::size_t, 4> t) {
-        // Even permutations that bring the one that differs, or the two inside, to the front.
+        // Even permutations that bring the node that differs, or the two inside, to the front.
         constexpr std::size_t first[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 0, 1, 3}, {3, 0, 2, 1}};
         constexpr std::size_t pair[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                             {1, 2, 0, 3}, {3, 1, 0, 2}, {2, 3, 0, 1}};

@@ -24,9 +24,9 @@ struct Labelled_image {
 /// The surface between label 0 and all others, closed whatever the labels (what touches the border of the image is
 /// closed there), counter-clockwise from outside.
 ///
-/// Voxels are averaged in blocks (as equal in length as can be, so many that no side has more than `most` of them),
-/// and the surface is where the trilinear samples cross one half, by marching tetrahedra, six to a cube. Averaging
-/// rounds off stairs, and parts thinner than a block may vanish. Throws Error(bad_input) when nothing is left.
+/// Voxels are averaged in blocks (as equal in length as can be, so many that no side has more than `most` of them), and
+/// the surface is where the trilinear samples cross one half, by marching tetrahedra, six to a cube. Averaging smooths
+/// the staircase of voxels, and parts thinner than a block may vanish. Throws Error(bad_input) when nothing is left.
 /// Linear.
 [[nodiscard]] Triangle_surface surface_of(const Labelled_image& image, std::size_t most = 128);
 

@@ -16,8 +16,8 @@ namespace annulus {
 
 namespace {
 
-/// Vertices are worked on in runs of this many, with one work space each; sums are added run by run, in order, so that
-/// they do not depend on which thread did which run.
+/// Vertices are processed in runs of this many, with one work space each; sums are added run by run, in order, so that
+/// they do not depend on which thread processed which run.
 constexpr std::size_t run_length = 256;
 
 struct Partial {
@@ -25,9 +25,9 @@ struct Partial {
     std::size_t count = 0, kept = 0;
 };
 
-/// How far a cell's corners are from the first, at most. A cell that contains its vertex is about as large as its
-/// centroid is far. One that is a point up to rounding belongs to a vertex outside of the domain and touches it
-/// there, and so may the cell of a neighbour: both vertices would go to one place.
+/// The greatest distance of a cell's corners from the first. The size of a cell that contains its vertex is about the
+/// distance of its centroid. A cell that is a point up to rounding belongs to a vertex outside the domain and touches
+/// the domain there, and so may the cell of a neighbour: both vertices would have the same target.
 double reach(const Cell_2& cell) {
     double most = 0;
     for (const Corner_2& corner : cell.corners)
@@ -36,7 +36,7 @@ double reach(const Cell_2& cell) {
     return most;
 }
 
-/// Where the vertex of a cell wants to go, if it is to go anywhere, and how far that is.
+/// The target of the vertex of a cell, if it has one, and its distance.
 struct Target {
     Coordinates<2> place{};
     double way = 0;
@@ -46,8 +46,8 @@ bool target_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordina
                const Density_2& density, Target& wish) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
-        // Nothing can go wrong here, and lengths are those of the domain: no need to look for where the centroid is,
-        // nor for hypot.
+        // The cell is well shaped and lengths are those of the domain: no check of the centroid's place is needed, nor
+        // hypot.
         const Moments_2 m = moments(density, cell.origin, cell.corners);
         if (!(m.mass > 0)) return false;
         offset = {m.first[0] / m.mass, m.first[1] / m.mass};
@@ -80,7 +80,8 @@ bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offs
     double square = 0;
     for (const Corner_2& corner : cell.corners)
         square = std::max(square, corner.offset[0] * corner.offset[0] + corner.offset[1] * corner.offset[1]);
-    // Not 0: where neighbours are cocircular two corners nearly coincide, and the edge between them points anywhere.
+    // Not 0: where neighbours are cocircular two corners nearly coincide, and the direction of the edge between them is
+    // noise.
     const double slack = -1e-12 * square;
     bool inside = std::isfinite(offset[0]) && std::isfinite(offset[1]);
     for (std::size_t i = 0; inside && i < n; ++i) {
@@ -102,8 +103,8 @@ Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 
-/// `way` is left with how far it is for each vertex, negative for those that stay; remembered(v) means that it is
-/// there already, and the target as well.
+/// Writes to `way` the distance to the target of each vertex, negative for those that stay; where remembered(v) it is
+/// there already, and so is the target.
 template <class Lists, class Remembered>
 Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>> position,
                               std::span<Coordinates<2>> target, std::vector<double>& way, Remembered remembered) const {
@@ -152,7 +153,7 @@ Lloyd_step Lloyd_2::step(const Neighbours_2& neighbours, std::span<const Coordin
     return step_over(neighbours, position, target, way, [](std::size_t) { return false; });
 }
 
-/// Whether enough vertices rest for it to be worth while to ask. The memory is left with the positions.
+/// Whether enough vertices rest for the memory to be worth while. Stores the positions in the memory.
 bool Lloyd_2::find_moved(const Stars_2& stars, std::span<const Coordinates<2>> position, Lloyd_memory& memory) const {
     const std::size_t n = position.size();
     const bool known = memory.position_.size() == n && memory.readings_ <= stars.readings();

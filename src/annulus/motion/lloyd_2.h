@@ -15,15 +15,15 @@
 
 namespace annulus {
 
-/// What one Lloyd iteration asks for. Displacements in the caller's unit of length, over the vertices that are there.
+/// Statistics of one Lloyd iteration. Displacements in the caller's unit of length, over the vertices that are present.
 struct Lloyd_step {
     double mean_displacement = 0;
     double max_displacement = 0;
     std::size_t kept = 0;  ///< vertices whose cell has no mass in the domain: they stay where they are
 };
 
-/// What one step leaves for the next: a vertex whose star is the same, and neither it nor a neighbour of it has
-/// moved, wants to go where it wanted to go before. For steps of one Lloyd_2 over one Stars_2.
+/// State kept from one step for the next: the target of a vertex is the same as before if its star is the same and
+/// neither it nor a neighbour has moved. For steps of one Lloyd_2 over one Stars_2.
 class Lloyd_memory {
     friend class Lloyd_2;
     std::vector<Coordinates<2>> position_, target_;
@@ -32,11 +32,11 @@ class Lloyd_memory {
     std::uint64_t readings_ = 0;  ///< of the stars, up to that step
 };
 
-/// Lloyd's iteration in 2D (section 4.1 of the paper): every site wants to go to the centroid of its Voronoi
-/// cell, cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
+/// Lloyd's iteration in 2D (section 4.1 of the paper): the target of every site is the centroid of its Voronoi cell,
+/// cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
-    /// Throws what `require_density` does. `threads` >= 1, else Error(usage), is how many work on a step, or fewer
+    /// Throws what `require_density` does. `threads` >= 1, else Error(usage): the number that work on a step, or fewer
     /// where the machine has fewer.
     Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
 
@@ -44,17 +44,17 @@ class Lloyd_2 {
     /// list in `neighbours`, unless v is the only one, are free: they keep their position and are not counted.
     ///
     /// Preconditions: `neighbours` are those of a Delaunay triangulation of `position`; positions are finite and
-    /// differ; they may be outside of the domain. A list that is not Delaunay's gives a target in the domain all the
-    /// same, or none. A target is in the domain up to `Domain_2::tolerance()`, and in the cell up to a rounding of the
-    /// coordinates.
-    /// Cells being disjoint, targets of different vertices differ, as long as cells are larger than a rounding.
-    /// Error of a target: that of `moments` and of `Voronoi_cell_2`, and its rounding to double.
+    /// differ; they may be outside of the domain. A list that is not that of a Delaunay triangulation still gives a
+    /// target in the domain, or none. A target is in the domain up to `Domain_2::tolerance()`, and in the cell up to a
+    /// rounding of the coordinates. Cells being disjoint, targets of different vertices differ, as long as cells are
+    /// larger than a rounding. Error of a target: that of `moments` and of `Voronoi_cell_2`, and its rounding to
+    /// double.
     ///
     /// The result is the same bit for bit whatever the number of threads. Expected O(n); no allocation per vertex.
-    /// Throws Error(wrong_size) unless the three have one size. `target` must not overlap `position`.
+    /// Throws Error(wrong_size) unless the three have the same size. `target` must not overlap `position`.
     Lloyd_step step(const Neighbours_2& neighbours, std::span<const Coordinates<2>> position,
                     std::span<Coordinates<2>> target) const;
-    /// The same over stars, and with a memory: the result is that of a step with none, bit for bit.
+    /// The same over stars, and with a memory: bit for bit the result of a step without one.
     Lloyd_step step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
                     Lloyd_memory& memory) const;
 

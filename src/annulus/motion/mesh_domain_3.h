@@ -16,7 +16,7 @@
 
 namespace annulus {
 
-/// A Domain_3 as Mesh_3 wants it (its concept MeshDomain_3): one subdomain, one surface patch.
+/// A Domain_3 as a model of Mesh_3's concept MeshDomain_3: one subdomain, one surface patch.
 class Mesh_domain_3 {
   public:
     using R = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -38,7 +38,7 @@ class Mesh_domain_3 {
     static constexpr Subdomain_index solid = 1;
     static constexpr Surface_patch_index skin{1, 0};
 
-    /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many questions.
+    /// Mesh_3 sees lengths in `unit`, a power of two. Sets `stop` after that many queries.
     Mesh_domain_3(const Domain_3& domain, double unit, std::uint64_t seed, std::uint64_t questions,
                   std::atomic<bool>* stop)
         : domain_(domain), unit_(unit), seed_(seed), left_(questions), stop_(stop) {}

@@ -33,7 +33,7 @@ void add_node(const Coordinates<2>& c, const Coordinates<2>& e, const Coordinate
     sum.first[1] += first * e[1];
 }
 
-/// What the straight edges at a corner have in common.
+/// Terms that the two straight edges at a corner share.
 struct At_corner {
     Coordinates<2> e{};
     double linear = 0, square = 0;  ///< form(c, e), form(e, e)

@@ -17,9 +17,9 @@ struct Moments_2 {
 /// The moments of the region whose boundary is `corners` (offsets from `origin`, counter-clockwise, see Corner_2), the
 /// first moments about `origin`; the region's centroid is origin + first / mass. Fewer than 2 corners: zero.
 ///
-/// Works on any region with such a boundary. The errors below are for a convex region that is not a sliver and has
-/// `origin` in it or on its border, as a Voronoi cell has its site; h is its diameter; they are relative to the mass,
-/// and for the first moment to mass times h.
+/// Works on any region with such a boundary. The errors below hold for a convex region that is not a sliver and has
+/// `origin` in it or on its border, as a Voronoi cell has its site. h is its diameter. The errors are relative to the
+/// mass, and for the first moment to mass times h.
 ///
 /// * `one`, `x2+y2`, `x2`: exact up to rounding, about 1e-15, wherever the cell is. The region is the union of the
 ///   cones from the origin to its edges; along a ray the integral of a quadratic is in closed form, and along an edge

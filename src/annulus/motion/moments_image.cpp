@@ -26,7 +26,7 @@ class Walk {
         Coordinates<2> a{c_[0] + from[0], c_[1] + from[1]}, b{c_[0] + to[0], c_[1] + to[1]};
         double sign = 1;
         if (a[1] > b[1]) std::swap(a, b), sign = -1;
-        // Row by row upwards; what is level counts nothing.
+        // Row by row upwards; a level edge contributes nothing.
         const double slope = (b[0] - a[0]) / (b[1] - a[1]);
         for (Coordinates<2> p = a; p[1] < b[1];) {
             const double top = std::floor(p[1]) + 1;

@@ -65,8 +65,8 @@ class Cones {
                 while (n <= most_nodes && !(errors[static_cast<std::size_t>(n)] * area <= promise * mass)) ++n;
                 return n;
             };
-            // How many are needed depends on the mass. A guess at it; where nothing suffices for that, few nodes find
-            // a better one.
+            // The number of nodes needed depends on the mass. This is a guess of the mass; where no number suffices for
+            // it, few nodes give a better guess.
             double here = 0;
             density_.values(&c_[0], &c_[1], &here, 1);
             int n = enough(least_nodes, size_.area, size_.area * here / 2);
@@ -119,7 +119,7 @@ class Cones {
         }
     }
 
-    /// The nodes that wait for the density, many at a time: it is what takes the time.
+    /// The nodes at which the density is to be evaluated, many at a time: this dominates the time.
     void evaluate() {
         const auto n = static_cast<std::size_t>(waiting_);
         for (std::size_t k = 0; k < 2; ++k)
@@ -148,7 +148,7 @@ class Cones {
     Numbers weight_, value_;
 };
 
-/// A function of the caller's, called for one position after the other.
+/// The caller's function, called for one position after the other.
 struct Any_density {
     const Smooth_density& density;
     double amplitude = density.amplitude, rate = density.rate;
@@ -162,7 +162,7 @@ struct Any_density {
 struct Sin2 {
     static constexpr double amplitude = 0.5, rate = 2, farthest = 1e5;
 
-    /// Several positions side by side: nothing depends on the distance but by arithmetic.
+    /// Several positions side by side: the loop has no branch that depends on the distance.
     static void values(const double* x, const double* y, double* f, int n) {
         constexpr int lanes = static_cast<int>(Lanes::size());
         const auto aligned = std::experimental::element_aligned;
@@ -177,8 +177,8 @@ struct Sin2 {
     static V value(const V& x, const V& y) {
         using std::sqrt;
         const V r = sqrt(x * x + y * y);
-        // Less half turns, whose number is rounded by what its sum with a large number has room for; pi in three
-        // parts of 33 bits, so that their products are exact (Cody and Waite).
+        // Subtracts half turns, whose number is rounded by adding a large number; pi in three parts of 33 bits, so that
+        // their products are exact (Cody and Waite).
         const V turns = (r * std::numbers::inv_pi + 0x1.8p52) - 0x1.8p52;
         const V s = ((r - turns * 0x1.921fb544p+1) - turns * 0x1.0b4611a6p-33) - turns * 0x1.3198a2ep-68, z = s * s;
         // Taylor's series up to s^15 as products of 1 - z / (2k (2k + 1)) within each other; for |s| <= pi / 2 it

@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// How large a region is, seen from its origin.
+/// The size of a region, seen from its origin.
 struct Size_2 {
     double radius;  ///< no less than the greatest distance of the region from its origin
     double edge;    ///< the longest straight edge or chord
@@ -48,7 +48,7 @@ struct Size_2 {
 [[nodiscard]] Moments_2 smooth_moments(const Smooth_density& density, const Coordinates<2>& origin,
                                        std::span<const Corner_2> corners);
 
-/// The same of the density sin^2 r, r the distance from (0, 0), at several positions at a time: half of what it takes.
+/// The same for the density sin^2 r, r the distance from (0, 0), at several positions at a time: half the time.
 [[nodiscard]] Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners);
 
 }  // namespace annulus

@@ -8,9 +8,9 @@
 
 namespace annulus {
 
-/// What one asker of a domain's nearest points keeps from one question to the next: which parts of the surface are how
-/// far from the centre of a ball, all of those that come into it. Filled and read by the domain, for questions to this
-/// one only; empty at first. At most 48 parts.
+/// State that a caller of a domain's nearest-point query keeps from one query to the next: the distances from the
+/// centre of a ball of all parts of the surface that reach into the ball. Filled and read by the domain, for queries of
+/// this domain only; empty at first. At most 48 parts.
 struct Nearby_3 {
     struct Part {
         double least;  ///< it is this far from the centre at least, up to rounding

@@ -22,31 +22,31 @@ double squared_gap(const Coordinates<3>& p, const Corner& lower, const Corner& u
     return sum;
 }
 
-/// The nearest point of a set of triangles, for queries that are repeated close by: what is kept is a ball with a list
-/// of all triangles whose boxes come into it, and an answer from the list is taken when it shows that what is not
-/// listed is farther. O(length of the list) then; else a search of the tree, where the next ball is filled.
+/// The nearest point of a set of triangles, for queries that are repeated close by: the state is a ball with a list of
+/// all triangles whose boxes reach into it, and a result from the list is taken when it proves that every triangle
+/// outside the list is farther. O(length of the list) then; else a search of the tree, which fills the next ball.
 ///
-/// `Tree` knows a `triangle(number)` by its corners t[i][k], its point nearest to another, `project(t, p)`, however
-/// wrong where it is thin, `list(centre, reach, parts)`, in any order, of all triangles whose boxes' `squared_gap` has
-/// a square root of at most `reach`, and `nearest(p)`, about the nearest point of all.
+/// `Tree` has `triangle(number)`, its corners t[i][k]; `project(t, p)`, its point nearest to p, however wrong where the
+/// triangle is thin; `list(centre, reach, parts)`, in any order, all triangles whose boxes' `squared_gap` has a square
+/// root of at most `reach`; and `nearest(p)`, approximately the nearest point of all.
 ///
-/// The answer is that of a look at all triangles: the least (distance, number), with the distance of p from the
-/// projection that is rounded and moved into the triangle's box. So it is the same bit for bit, whatever was kept. This
-/// needs only that no answer of a triangle is nearer than its box, which the move makes true, and that
-/// |p - box| >= |c - box| - |p - c| for the centre c. Each of these lengths, and that of the answer, is a square root
-/// of three squares of differences: it errs by less than 5 u of itself, u = 2^-53, and by less than 1e-160 where
-/// squares are too small to be told from 0. `is_farther` leaves room for more than ten times as much.
+/// The result is that of a search over all triangles: the least (distance, number), with the distance of p from the
+/// projection that is rounded and moved into the triangle's box. So it is bit for bit the same, whatever the state is.
+/// This needs only that no triangle's point is nearer than its box, which moving it into the box ensures, and that |p -
+/// box| >= |c - box| - |p - c| for the centre c. Each of these lengths, and that of the result, is a square root of
+/// three squares of differences: it errs by less than 5 u of itself, u = 2^-53, and by less than 1e-160 where squares
+/// are too small to be told from 0. `is_farther` leaves room for more than ten times as much.
 template <class Tree>
 class Nearest_search {
   public:
     /// Of parts that are kept.
     static constexpr std::size_t most_parts = 48;
-    /// How far a ball reaches beyond the surface, in ways from `near`: about how often the asker may come back.
+    /// How far a ball reaches beyond the surface, in distances from `near`: about the number of queries that it serves.
     static constexpr double ways = 4;
 
     Nearest_search(const Tree& tree, Nearby_3& nearby) : tree_(tree), nearby_(nearby) {}
 
-    /// Where p is too far away for squares, `tree.nearest`.
+    /// Where p is so far away that squares overflow, `tree.nearest`.
     [[nodiscard]] Coordinates<3> nearest(const Coordinates<3>& p, const Coordinates<3>& near) {
         Best best;
         const double way = length(p, near);
@@ -55,7 +55,7 @@ class Nearest_search {
             const double away = length(p, nearby_.centre);
             best = look(p, away);
             if (is_farther(nearby_.reach, away, best.distance())) return best.at;
-            // Where the list had to be cut short, a smaller ball.
+            // The list had to be cut short: use a smaller ball.
             more = std::min(more, 2 * std::max(nearby_.reach - nearby_.depth, 0.01 * way));
         }
         double bound = std::min(best.distance(), way);
@@ -89,7 +89,8 @@ class Nearest_search {
     }
     static double length(const Coordinates<3>& p, const Coordinates<3>& q) { return std::sqrt(squared_length(p, q)); }
 
-    /// Whether what is `least` away from the centre, from which p is `away`, is certainly farther than `best` from p.
+    /// Whether a part at distance `least` or more from the centre, from which p is `away`, is certainly farther than
+    /// `best` from p.
     static bool is_farther(double least, double away, double best) {
         return least - away - (1e-14 * (least + away + best) + 1e-150) > best;
     }
@@ -123,7 +124,7 @@ class Nearest_search {
     Best look(const Coordinates<3>& p, double away) {
         Best best;
         if (nearby_.parts.empty()) return best;
-        // Probably this one again: then others are seen to be farther by their boxes.
+        // This one is probably the nearest again; then the boxes of the others show that they are farther.
         if (nearby_.last >= 0) look_at(nearby_.last, p, best);
         double distance = best.distance();
         for (const auto& part : nearby_.parts) {

@@ -38,7 +38,7 @@ struct Mean {
     }
 };
 
-/// The area of a triangle times the vector from a to its circumcentre. Nothing is asked of a triangle without area.
+/// The area of a triangle times the vector from a to its circumcentre. Precondition: the area is not 0.
 Coordinates<3> weighted_circumcentre(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                      double& area) {
     // With the origin at a and n = b × c: 2 |n|² x = |b|² c×n + |c|² n×b; the area is |n| / 2.
@@ -57,7 +57,7 @@ struct Partial {
     std::size_t vertices = 0, boundary = 0, locked = 0, kept = 0;
 };
 
-/// This share of the way from p to q, but no farther than `most`.
+/// The point at this fraction of the way from p to q, but no farther than `most`.
 Coordinates<3> towards(const Coordinates<3>& p, const Coordinates<3>& q, double share, double most) {
     const double way = distance(p, q);
     return between(p, q, share * way > most ? most / way : share);
@@ -115,14 +115,14 @@ Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_sur
     lock_cosine_ = std::cos(*lock_degrees * std::numbers::pi / 180);
 }
 
-/// Cells with what is known of each.
+/// Cells with their data.
 struct Nodt_3::Mesh {
     const Cells_3& cells;
     std::span<const char> inside;
     std::span<const Cell_moment> moments;
 };
 
-/// The mean of each vertex' circumcentres, and whether a cell of it is no good.
+/// The mean of each vertex' circumcentres, and whether one of its cells is badly shaped.
 struct Nodt_3::Sums {
     std::vector<Mean> volume;
     std::vector<char> bad;
@@ -149,7 +149,7 @@ Nodt_step Nodt_3::step(const Kept_cells_3& cells, std::span<const Coordinates<3>
     return step_of({cells.cells(), cells.inside(), cells.moments()}, position, target, memory);
 }
 
-/// The sizing at every vertex; the memory is left with it.
+/// The sizing at every vertex, also stored in the memory.
 void Nodt_3::size_up(std::span<const Coordinates<3>> position, Nodt_memory& memory) const {
     if (sizing_.constant()) return;
     const bool known = memory.position_.size() == position.size();
@@ -167,12 +167,12 @@ void Nodt_3::size_up(std::span<const Coordinates<3>> position, Nodt_memory& memo
 bool Nodt_3::is_good(const std::array<Index, 4>& v, std::span<const Coordinates<3>> position) const {
     const auto cosines =
         dihedral_cosines(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
-    // Not >: where a cell is flat the cosines are NaN, and it is no good.
+    // Not >: where a cell is flat the cosines are NaN, and it is badly shaped.
     return std::all_of(cosines.begin(), cosines.end(), [&](double x) { return std::abs(x) <= *lock_cosine_; });
 }
 
-/// Every thread has a range of vertices and looks at all cells, in their order: so sums do not depend on how many
-/// there are.
+/// Every thread has a range of vertices and reads all cells, in their order: so sums do not depend on the number of
+/// threads.
 void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu,
                        Sums& sums) const {
     const std::size_t n = position.size(), cells = mesh.cells.size();

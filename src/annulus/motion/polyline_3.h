@@ -9,21 +9,22 @@
 
 namespace annulus {
 
-/// A curve of straight segments, with its places told apart by how far along it they are, in the caller's unit of
-/// length.
+/// A curve of straight segments, whose points are given by their distance along it, in the caller's unit of length.
 class Polyline_3 {
   public:
-    /// At least two points, neighbours differ. Where the first is the last the curve is closed. O(points).
+    /// At least two points; consecutive ones differ. The curve is closed where the first point equals the last.
+    /// O(points).
     explicit Polyline_3(std::vector<Coordinates<3>> points);
 
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return points_; }
     [[nodiscard]] bool closed() const { return points_.front() == points_.back(); }
     [[nodiscard]] double length() const { return up_to_.back(); }
-    /// Where one is after so long a way from the first point, on a segment up to rounding; a coordinate that both its
-    /// ends share is kept exactly. Ways beyond the ends go to the ends, or around where the curve is closed. O(log
-    /// points).
+    /// The point at this distance along the curve from the first point, on a segment up to rounding; a coordinate that
+    /// both ends of the segment share is kept exactly. Distances beyond the ends are clamped to the ends, or wrap
+    /// around where the curve is closed. O(log points).
     [[nodiscard]] Coordinates<3> at(double way) const;
-    /// How far along the point nearest to p is; the first of several. O(points / 32) where the curve is not wound up.
+    /// The distance along the curve of the point nearest to p; the first of several. O(points / 32) where the curve is
+    /// not tightly wound.
     [[nodiscard]] double nearest(const Coordinates<3>& p) const;
     /// The box around it.
     [[nodiscard]] const Coordinates<3>& lower() const { return box_.lower; }

@@ -9,9 +9,9 @@
 
 namespace annulus {
 
-/// Where the points of one time step are, if there are any. Ids differ; coordinates are finite.
+/// The positions of the points of one time step, if there are any. Ids differ; coordinates are finite.
 struct Frame {
-    std::uint64_t number = 0;       ///< what the file calls it, or its place from 0
+    std::uint64_t number = 0;       ///< the number in the file, or the position in it, from 0
     std::vector<std::uint64_t> id;  ///< ascending
     std::vector<Coordinates<3>> position;
     std::vector<std::uint64_t> line;  ///< of each point in the file, from 1
@@ -21,7 +21,7 @@ struct Frame {
 struct Recorded_motion {
     std::string name;
     bool has_z = false;
-    std::vector<std::string> notes;  ///< what the file says and is ignored; each a line with the file's name
+    std::vector<std::string> notes;  ///< content of the file that is ignored; each a line with the file's name
     std::vector<Frame> frames;
 };
 

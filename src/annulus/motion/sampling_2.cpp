@@ -71,7 +71,7 @@ struct Hash {
     }
 };
 
-/// Neighbours along Hilbert's curve are neighbours in 2D.
+/// Neighbours along Hilbert's curve are near each other in 2D.
 void sort_along_curve(std::vector<Coordinates<2>>& points) {
     using Kernel = CGAL::Simple_cartesian<double>;
     using Place = std::pair<Kernel::Point_2, std::size_t>;
@@ -83,9 +83,9 @@ void sort_along_curve(std::vector<Coordinates<2>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = {order[i].first.x(), order[i].first.y()};
 }
 
-/// Points of an image in proportion to its density. That is the sum over pixels of weight times a tent that is two
-/// pixels wide, and what of a tent is outside of the image belongs to its mirror image inside, the half pixel where
-/// the density is constant.
+/// Points of an image in proportion to its density. The density is the sum over pixels of weight times a tent that is
+/// two pixels wide; the part of a tent outside the image is mirrored to the inside, into the half pixel where the
+/// density is constant.
 class Of_image {
   public:
     explicit Of_image(const Image_density& image) : image_(image) {

@@ -14,8 +14,8 @@ namespace annulus {
 /// n points of the domain, independently distributed in proportion to the density, no two equal, in the order of a
 /// space-filling curve (Hilbert's, by CGAL), so that neighbours are near each other in memory.
 ///
-/// By rejection: uniform points (in the disc's square; in a polygon's triangles) are kept with probability density
-/// over its bound; in an image a pixel is drawn by its weight and a place around it, which is kept if it is in the
+/// By rejection: uniform points (in the disc's square; in a polygon's triangles) are kept with probability density over
+/// its bound; in an image a pixel is drawn by its weight, then a position around it, which is kept if it is in the
 /// domain. The same arguments give the same points everywhere: the generator is std::mt19937_64, whose output the
 /// standard fixes, and 53 bits of it make a number in [0, 1). Only `sin2` calls a library function (std::sin), whose
 /// last bit could decide differently on another platform about once in 10^15 points.

@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// How long edges want to be in a domain, up to a factor: mu(p) = 1 + gradation · dist(p, surface) / r, where r is
-/// the radius of the ball of the same volume. Gradation 0 is constant sizing; mu is gradation / r Lipschitz.
+/// The target length of edges in a domain, up to a factor: mu(p) = 1 + gradation · dist(p, surface) / r, where r is the
+/// radius of the ball of the same volume. Gradation 0 is constant sizing; mu is gradation / r Lipschitz.
 class Sizing_3 {
   public:
     explicit Sizing_3(const Domain_3& domain, double gradation = 0)

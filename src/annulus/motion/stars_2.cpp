@@ -7,7 +7,7 @@ namespace annulus {
 
 namespace {
 
-/// The vertices of a number of the table that is no cell.
+/// The vertices stored for a number of the table that is not a cell.
 constexpr Index absent = none;
 
 }  // namespace
@@ -21,8 +21,8 @@ void Stars_2::mark(const Triangle& t) {
     }
 }
 
-/// A star changes only with its triangles, and a triangle that is new differs from what had its number before. That
-/// it has but changed its number or turned costs a look.
+/// A star changes only with its triangles, and a new triangle differs from the one that had its number before. One that
+/// has only changed its number or its first vertex makes its stars be read again.
 void Stars_2::find_changed(const Corner_table<2>& table) {
     const Cell_index bound = table.cell_bound();
     for (Cell_index c = bound; triangle_.has(c); ++c) mark(triangle_[c]);
@@ -59,8 +59,8 @@ void Stars_2::read(const Corner_table<2>& table) {
     ++readings_;
     const auto n = static_cast<std::size_t>(table.vertex_bound());
     changed_.clear();
-    // Lists that have moved to the end leave gaps; where there are as many as lists, all are read again, close
-    // together.
+    // Lists that have moved to the end leave gaps; when the gaps are as large as the lists, all are read again, without
+    // gaps.
     if (place_.size() != n || pool_.size() > 16 * n) {
         place_.assign(n, {});
         pool_.clear();

@@ -16,11 +16,12 @@ namespace annulus {
 /// only the lists of vertices whose triangles have changed are read again.
 ///
 /// Lists have one order whatever the history of the triangulation: a cyclic one begins with its least index, an open
-/// one behind infinity. So what is computed from them is the same bit for bit under every strategy.
+/// one after infinity. So results computed from them are bit for bit the same under every strategy.
 class Stars_2 {
   public:
     /// Reads a table. Its triangles are compared with those of the last reading: O(cells), and O(degree) for each
-    /// vertex of a cell that differs. All free where the points are on a line, because there are no cells then.
+    /// vertex of a cell that differs. All lists are empty where the points are on a line, because there are no cells
+    /// then.
     void read(const Corner_table<2>& table);
     /// Reads lists, all of them. O(n).
     void read(const Neighbours_2& lists);
@@ -31,7 +32,7 @@ class Stars_2 {
     }
     /// Consecutive neighbours, and last and first, make a triangle with v: it is not on the convex hull.
     [[nodiscard]] bool cyclic(std::size_t v) const { return !place_[v].open; }
-    /// How many readings there have been, and in which of them the list of v came to be.
+    /// The number of readings, and the one in which the list of v was made.
     [[nodiscard]] std::uint64_t readings() const { return readings_; }
     [[nodiscard]] std::uint64_t since(std::size_t v) const { return place_[v].since; }
 

@@ -17,25 +17,25 @@ struct Gray_image {
     std::vector<std::uint16_t> value;
 };
 
-/// A picture as dots: Voronoi stippling (Secord, Weighted Voronoi stippling, 2002). Ink is what is dark, or,
-/// inverted, what is bright.
+/// A picture as dots: Voronoi stippling (Secord, Weighted Voronoi stippling, 2002). Ink is darkness, or brightness
+/// where the picture is inverted.
 class Stippling {
   public:
-    /// Throws Error(bad_input) where there is no ink, and Error(usage) where the picture is none. O(pixels).
+    /// Throws Error(bad_input) where there is no ink, and Error(usage) where the picture is invalid. O(pixels).
     Stippling(Gray_image image, bool inverted);
 
     [[nodiscard]] std::size_t width() const { return image_.width; }
     [[nodiscard]] std::size_t height() const { return image_.height; }
-    /// What the picture's ink covers, in pixels.
+    /// The area that the picture's ink covers, in pixels.
     [[nodiscard]] double area() const { return area_; }
 
-    // Each is made again: 24 bytes a pixel, O(pixels).
+    // Each call makes the density again: 24 bytes per pixel, O(pixels).
 
-    /// Where points begin, and how large dots are: the ink of each pixel, from 0 to `full()`.
+    /// The density of the first points and of the dots' sizes: the ink of each pixel, from 0 to `full()`.
     [[nodiscard]] Image_density ink() const;
     [[nodiscard]] double full() const { return image_.white; }
-    /// What Lloyd's iterations go by: the square of the ink. Where they end there are points in proportion to the
-    /// square root of their density (Gersho's conjecture in 2D; Du, Faber and Gunzburger, Centroidal Voronoi
+    /// The density of Lloyd's iterations: the square of the ink. In the limit the points are distributed in proportion
+    /// to the square root of the density (Gersho's conjecture in 2D; Du, Faber and Gunzburger, Centroidal Voronoi
     /// tessellations, 1999, 6.4), so in proportion to the ink, as where they began.
     [[nodiscard]] Image_density density() const;
 

@@ -58,7 +58,7 @@ using Aabb_traits = CGAL::AABB_traits<Guarded_kernel, Primitive>;
 using Aabb_tree = CGAL::AABB_tree<Aabb_traits>;
 using Side = CGAL::Side_of_triangle_mesh<Mesh, K, CGAL::Default, Aabb_tree>;
 
-/// What a ball meets: triangles whose boxes are within a distance of its centre, and how far these are.
+/// The triangles whose boxes are within a distance of a ball's centre, with their distances.
 struct Listing {
     struct Query {
         Coordinates<3> centre;
@@ -84,15 +84,15 @@ struct Listing {
 K::Point_3 cgal(const Coordinates<3>& p) { return {p[0], p[1], p[2]}; }
 Coordinates<3> ours(const K::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-/// Four digits are enough to find a place.
+/// Four digits are enough to locate a point.
 std::string shortened(double x) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 4).ptr};
 }
 
-/// CGAL makes quotients of high powers of coordinates, so these must be neither too large nor too small; and the
-/// surface be near enough to the origin that they tell the corners of small triangles apart. What is 1e-30 times as
-/// small as the surface is long becomes 0: far below what positions in doubles can tell.
+/// CGAL computes quotients of high powers of coordinates, so these must be neither too large nor too small, and the
+/// surface must be near enough to the origin for doubles to distinguish the corners of small triangles. Coordinates
+/// below 1e-30 times the longest side become 0: far below the resolution of positions in doubles.
 Triangle_surface in_sane_lengths(Triangle_surface s) {
     double longest = 0, farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ struct Surface_3::Tree {
         marks.fill([this](const Coordinates<3>& p) { return (*side)(cgal(p)) == CGAL::ON_BOUNDED_SIDE; });
     }
 
-    // What Nearest_search asks for.
+    // The interface that Nearest_search needs.
     [[nodiscard]] const K::Triangle_3& triangle(std::int32_t number) const {
         return triangles[static_cast<std::size_t>(number)];
     }
@@ -259,13 +259,13 @@ std::optional<Coordinates<3>> Surface_3::crossing(const Coordinates<3>& a, const
     if (!hit) return std::nullopt;
     if (const K::Point_3* p = alternative<K::Point_3>(hit->first)) {
         Coordinates<3> c = ours(*p);
-        // That they meet is exact, where they do is not: nearly in the plane of the triangle it may be anywhere or no
-        // number.
+        // That they meet is exact, the point is not: for a segment nearly in the plane of the triangle it may be
+        // anywhere or NaN.
         for (std::size_t k = 0; k < 3; ++k)
             c[k] =
                 std::isnan(c[k]) ? 0.5 * (a[k] + b[k]) : std::clamp(c[k], std::min(a[k], b[k]), std::max(a[k], b[k]));
-        // On a segment that is long compared with the surface the rounding of a crossing is, too: back onto the
-        // surface.
+        // On a segment that is long compared with the surface the rounding of a crossing is large, too: project it back
+        // onto the surface.
         return project(c);
     }
     if (const K::Segment_3* s = alternative<K::Segment_3>(hit->first))

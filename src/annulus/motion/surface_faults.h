@@ -26,9 +26,9 @@ struct Edge_fault {
 /// points, which are finite.
 [[nodiscard]] std::optional<std::size_t> flat_triangle(const Triangle_surface& surface);
 
-/// The first two triangles that meet elsewhere than in corners and edges that they share; nothing when there are none.
-/// Sheets may touch at a corner that they share. Exact. O(n log n), and the pairs of triangles whose boxes meet.
-/// Preconditions: indices name points, which are finite; no triangle is flat.
+/// The first two triangles that meet outside corners and edges that they share; nothing when there are none. Sheets may
+/// touch at a corner that they share. Exact. O(n log n), and the pairs of triangles whose boxes meet. Preconditions:
+/// indices name points, which are finite; no triangle is flat.
 [[nodiscard]] std::optional<std::array<std::size_t, 2>> crossing_triangles(const Triangle_surface& surface);
 
 }  // namespace annulus

@@ -23,7 +23,7 @@ std::span<const std::array<Index, 2>> Surface_stars::around(Index v) const {
 bool Surface_stars::disc(Index v) const {
     const auto link = around(v);
     if (link.empty()) return false;
-    // From the end of an edge one way on only, and all of them on the way round.
+    // Exactly one edge continues from the end of each edge, and walking around visits all of them.
     Index at = link[0][0];
     for (std::size_t walked = 1; walked <= link.size(); ++walked) {
         const Index from = at;

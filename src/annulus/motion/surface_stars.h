@@ -13,10 +13,10 @@ namespace annulus {
 /// The facets of a surface around each of its vertices.
 class Surface_stars {
   public:
-    /// Facets are vertex numbers below n, all oriented to one side. Linear.
+    /// Facets are triples of vertex numbers below n, consistently oriented. Linear.
     Surface_stars(std::span<const std::array<Index, 3>> facets, std::size_t n);
 
-    /// Whether the facets around v are one closed fan: a disc with v inside. Not where there are none, where the
+    /// Whether the facets around v are one closed fan: a disc with v inside. False where there are none, where the
     /// surface ends, or where sheets of it touch. Quadratic in the number of facets around v.
     [[nodiscard]] bool disc(Index v) const;
     /// The other corners of the facets around v, in their order; interior edges of a disc come twice.

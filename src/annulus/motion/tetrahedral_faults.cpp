@@ -20,7 +20,7 @@ struct Sided_facet {
     std::size_t cell, opposite;
 };
 
-/// The facets of all cells, those that are the same side by side, in the order of their cells.
+/// The facets of all cells, equal ones next to each other, in the order of their cells.
 std::vector<Sided_facet> sorted_facets(const std::vector<std::array<Index, 4>>& cells) {
     std::vector<Sided_facet> facets;
     facets.reserve(4 * cells.size());
@@ -105,7 +105,7 @@ std::optional<std::size_t> covered_twice(const Domain_3& domain, std::span<const
     };
     for (const auto& t : facets.triangles)
         for (const Index v : {t[1], t[2]}) parent[static_cast<std::size_t>(root(v))] = root(t[0]);
-    // The largest cell of each is asked for: rounding cannot put its middle outside.
+    // The largest cell of each is tested: rounding cannot put its centroid outside.
     struct Largest {
         double volume = -1;
         std::size_t cell = 0;

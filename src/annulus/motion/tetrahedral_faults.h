@@ -11,7 +11,7 @@
 
 namespace annulus {
 
-/// What keeps tetrahedra from being a mesh, cell by cell.
+/// Defects that keep tetrahedra from being a mesh, cell by cell.
 struct Cell_fault {
     enum class Kind {
         flat,      ///< no volume
@@ -30,8 +30,8 @@ struct Cell_fault {
 [[nodiscard]] std::optional<Cell_fault> cell_fault(std::span<const Coordinates<3>> points,
                                                    std::vector<std::array<Index, 4>>& cells);
 
-/// Triangles that are facets of exactly one cell, counter-clockwise from outside, in the order of the cells; and of
-/// which.
+/// Triangles that are facets of exactly one cell, counter-clockwise from outside, in the order of the cells, with these
+/// cells.
 struct Boundary_facets {
     std::vector<std::array<Index, 3>> triangles;
     std::vector<std::size_t> cells;
@@ -40,8 +40,8 @@ struct Boundary_facets {
 [[nodiscard]] Boundary_facets boundary_facets(const std::vector<std::array<Index, 4>>& cells);
 
 /// A cell at a part of the boundary that lies within another part of the mesh without touching its boundary, so that
-/// space there is covered twice; nothing when there is none. `domain` is what the facets enclose by the parity of
-/// rays. O(n), and one question to it for each connected part of the boundary.
+/// space there is covered twice; nothing when there is none. `domain` is what the facets enclose by the parity of rays.
+/// O(n), and one query of it for each connected part of the boundary.
 [[nodiscard]] std::optional<std::size_t> covered_twice(const Domain_3& domain, std::span<const Coordinates<3>> points,
                                                        const std::vector<std::array<Index, 4>>& cells,
                                                        const Boundary_facets& facets);

@@ -15,7 +15,7 @@ struct Triangle_surface {
 };
 
 /// Volume enclosed by a closed surface, in the cube of the unit of its points; negative when it is turned inside out.
-/// Relative to the first point, so that a surface far from the origin loses nothing.
+/// Computed relative to the first point, so that a surface far from the origin loses no accuracy.
 [[nodiscard]] inline double enclosed_volume(const Triangle_surface& surface) {
     double sum = 0;
     for (const auto& t : surface.triangles) {

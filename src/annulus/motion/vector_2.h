@@ -7,7 +7,7 @@
 
 namespace annulus {
 
-// Vectors of the plane, in doubles, one rounding an operation.
+// 2D vectors in doubles, one rounding per operation.
 
 inline Coordinates<2> plus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] + b[0], a[1] + b[1]}; }
 inline Coordinates<2> minus(const Coordinates<2>& a, const Coordinates<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }

@@ -7,7 +7,7 @@
 
 namespace annulus {
 
-// Vectors of space in plain doubles, for motions. In the unit of length of the caller.
+// 3D vectors in plain doubles, for motions. In the caller's unit of length.
 
 [[nodiscard]] inline Coordinates<3> minus(const Coordinates<3>& p, const Coordinates<3>& q) {
     return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};

@@ -85,8 +85,8 @@ void Voronoi_cell_2::from_bisectors(const Coordinates<2>& site, std::span<const 
     clipper_.write_corners(cell_.corners);
     if (disc) clip_to_disc(cell_, domain_->radius(), scratch_);
     if (cell_.corners.empty() || domain_->well_contains(site)) return;
-    // The site may be far from its part of the domain: move the origin there, with the corners shifted by what the
-    // origin moved after rounding.
+    // The site may be far from its part of the domain: move the origin there, and shift the corners by the rounded
+    // displacement of the origin.
     Coordinates<2> mean{};
     for (const Corner_2& corner : cell_.corners)
         for (std::size_t k = 0; k < 2; ++k) mean[k] += corner.offset[k] / static_cast<double>(cell_.corners.size());

@@ -10,16 +10,16 @@
 
 namespace annulus {
 
-/// A grid over a box in which every voxel is inside of a closed surface, outside, or may meet it.
+/// A grid over a box in which every voxel is inside a closed surface, outside, or may meet it.
 ///
 /// Voxels that do not meet the surface and share a side are on the same side of it, so one test decides for all that
-/// are connected. Where cubes of 4 x 4 x 4 are all inside or all outside, that is said once: away from the surface
-/// these few marks are all that is looked at, and they stay in a cache.
+/// are connected. A cube of 4 x 4 x 4 voxels that are all inside or all outside has one coarse mark: away from the
+/// surface only these few marks are read, and they stay in the cache.
 class Voxel_marks {
   public:
     enum class Mark : std::uint8_t { unknown, near, inside, outside };
 
-    /// About `voxels` cubes over `box`, which the surface does not leave.
+    /// About `voxels` cubes over `box`, which contains the surface.
     Voxel_marks(const Domain_3::Box& box, std::size_t voxels);
 
     [[nodiscard]] const std::array<std::size_t, 3>& size() const { return size_; }
@@ -28,7 +28,7 @@ class Voxel_marks {
     /// The voxels that a box may meet, as the first and the last index of every axis.
     [[nodiscard]] std::array<std::array<std::size_t, 2>, 3> range(const Domain_3::Box& box) const;
     void set_near(const std::array<std::size_t, 3>& at) { fine_.set(fine_.index(at), Mark::near); }
-    /// Decides all others, given an exact test of a point.
+    /// Marks all other voxels, given an exact test of a point.
     void fill(const std::function<bool(const Coordinates<3>&)>& contains);
 
     /// Points beyond the box are outside. Never `unknown` after `fill`.

@@ -14,7 +14,7 @@ inline constexpr std::size_t width = 1;
 template <>
 inline constexpr std::size_t width<Lanes> = Lanes::size();
 
-/// Point i of the certificates x[0], x[1], ... side by side.
+/// Points i of the certificates x[0], x[1], ..., side by side.
 template <class V, class T>
 struct Gathered {
     const T* x;
@@ -65,7 +65,8 @@ Certificate_value exact(const Tuple<2, 4>& x, Cell_widths) { return empty_sphere
 Certificate_value exact(const Tuple<3, 4>& x, Cell_widths) { return orientation_exact(x); }
 Certificate_value exact(const Tuple<3, 5>& x, Cell_widths cells) { return empty_sphere_exact(x, cells); }
 
-/// Writes one lane; what is open is the last stage's until one before it answers. Returns 1 for an answer.
+/// Writes one lane. An open certificate is marked as the exact stage's until an earlier stage answers. Returns 1 for
+/// an answer.
 std::size_t store(double sign, double tolerance, double wrong_side, Certificate_value& out) {
     const bool answered = detail::answer(sign, tolerance, out);
     out.wrong_side = static_cast<std::uint8_t>(static_cast<int>(wrong_side));
@@ -73,7 +74,7 @@ std::size_t store(double sign, double tolerance, double wrong_side, Certificate_
     return answered ? 1 : 0;
 }
 
-/// Flattened: a call between two halves of a formula would spill every register.
+/// Flattened: a call in the middle of a formula would spill every register.
 template <class T>
 [[gnu::flatten]] std::size_t filter_stage(std::span<const T> x, bool certified, std::span<Certificate_value> out,
                                           Cell_widths cells) {
@@ -117,7 +118,7 @@ Stage_counts all_stages(std::span<const T> x, Tolerance_precision mode, std::spa
     return counts;
 }
 
-/// The filtered predicate for one.
+/// The filtered predicate for one certificate.
 template <class T>
 Certificate_value evaluate_one(const T& x, bool certified, Cell_widths cells) {
     Certificate_value out;

@@ -9,10 +9,10 @@
 
 namespace annulus {
 
-/// The filtered predicate for many certificates: out[i] is what the single call (`evaluate_orientation`,
-/// `evaluate_empty_sphere`) gives for x[i], bit for bit; faster, because the filter stage evaluates several side by
-/// side (lanes.h), the interval stage is asked for all that is left inside one Rounding_guard, and the exact stage for
-/// what is left then. Nothing is allocated before the exact stage.
+/// The filtered predicate for many certificates. out[i] is what the single call (`evaluate_orientation`,
+/// `evaluate_empty_sphere`) gives for x[i], bit for bit. It is faster: the filter stage evaluates several side by side
+/// (lanes.h), the interval stage handles all that is left inside one Rounding_guard, and the exact stage handles what
+/// is still left. Nothing is allocated before the exact stage.
 ///
 /// Preconditions: x.size() == out.size(), rounding to nearest. Returns how many answers each stage gave.
 Stage_counts evaluate(std::span<const Tuple<2, 3>> x, Tolerance_precision mode, std::span<Certificate_value> out);

@@ -9,10 +9,10 @@ namespace annulus::bounds {
 inline constexpr double u = 0x1p-53;
 
 // Forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
-// magnitude. They hold for any other magnitude m as the constant times u m^k, k the degree of the determinant,
-// because the proofs use nothing of an operation but its relative error: a bound proved for the unit box in binary64
-// as such would hold for powers of two only (an ulp below 1 is half of one above; orientation reaches 8 u m^2 at
-// m = 1 + 2^-22).
+// magnitude. For any other magnitude m they hold as the constant times u m^k, where k is the degree of the
+// determinant, because the proofs use only the relative error of each operation. (A bound proved for the unit box in
+// binary64 as such would hold for powers of two only: an ulp below 1 is half of one above; orientation reaches 8 u m^2
+// at m = 1 + 2^-22.)
 
 // In 2D: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 
@@ -21,14 +21,14 @@ inline constexpr double annulus_2_incircle = 177.0;  ///< annulus_terms: determi
 inline constexpr double annulus_2_inner = 69.0;      ///< annulus_terms: each coordinate of N, degree 3
 inline constexpr double annulus_2_outer = 123.0;     ///< annulus_terms: each coordinate of M, degree 3
 
-/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (69 + 123) u m^3 < 272 u m^3 for the vectors themselves;
-/// rounding of the squares, roots and sum is relative and is in `tail`.
+/// |M~| + |N~| falls short of |M| + |N| by at most sqrt(2) (69 + 123) u m^3 < 272 u m^3 for the vectors themselves; the
+/// rounding of squares, roots and sum is relative and is in `tail`.
 inline constexpr double annulus_2_norms = 273.0;
 
 /// circumcircle_2.h, degree 4: proofs/gappa/circumcircle_2.g.
 inline constexpr double circumcircle_2 = 129.0;
 
-// In 3D: proofs/gappa/certificates_3.g, order of operations of width_terms_3.h.
+// In 3D: proofs/gappa/certificates_3.g, with the order of operations of width_terms_3.h.
 
 inline constexpr double orientation_3 = 47.0;       ///< orientation_terms: determinant, degree 3
 inline constexpr double orientation_3_slab = 35.0;  ///< orientation_terms: each coordinate of an area vector, degree 2
@@ -37,8 +37,8 @@ inline constexpr double annulus_3_n = 691.0;          ///< annulus_terms: each c
 inline constexpr double annulus_3_m = 1183.0;         ///< annulus_terms: each coordinate of m1 to m4, degree 4
 inline constexpr double annulus_3_side = 169.0;       ///< annulus_terms: l1 to l4, degree 3
 
-/// As annulus_2_norms, with vectors of three coordinates: twice the longest area vector, sqrt(3) (35 + 35) < 122, and
-/// the two norms of a partition, sqrt(3) (691 + 1183) < 3246.
+/// Like annulus_2_norms, with vectors of three coordinates: twice the longest area vector, sqrt(3) (35 + 35) < 122,
+/// and the two norms of a partition, sqrt(3) (691 + 1183) < 3246.
 inline constexpr double orientation_3_norms = 122.0;
 inline constexpr double annulus_3_norms = 3246.0;
 
@@ -58,21 +58,21 @@ inline constexpr double voronoi_3_edge = 41.0;   ///< 1 in the edge, 1 in the ci
 inline constexpr double voronoi_3_facet = 47.0;  ///< 1 in each of two edges, 1 in the dual edge
 
 /// Relative error of the tail: two or three squares and their sum (3u), square root (half of that plus u), sum of the
-/// roots (u), quotient (u), and the few operations on the bounds themselves (6u); 16u is above the total to first order
-/// with room for the second.
+/// roots (u), quotient (u), and the few operations on the bounds themselves (6u). 16u is above the total to first
+/// order, with room for the second.
 inline constexpr double tail = 16.0;
 
-/// The filter answers only when what its error bounds take off is at most this share of the answer; else the next
-/// stage is asked. Tightness, not validity: a lower bound less tight is still a lower bound.
+/// The filter answers only when its error bounds reduce the answer by at most this share; otherwise the next stage
+/// answers. This is for tightness, not validity: a less tight lower bound is still a lower bound.
 inline constexpr double filter_slack = 0x1p-10;
 
-/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not
-/// wider, because recomputed tolerances are promised to a fifth of a per cent.
+/// The same for the interval stage: the upper end of the quotient is at most this share above the lower one. Not more,
+/// because recomputed tolerances are promised to a fifth of a per cent.
 inline constexpr double interval_slack = 0x1p-10;
 
-/// The filter works on unscaled differences whose largest magnitude m lies in [1 / filter_range, filter_range]; then
-/// m^6 and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside, the interval stage
-/// scales. In 3D the squares of the norms have degree 8.
+/// The filter works on unscaled differences whose largest magnitude m is in [1 / filter_range, filter_range]. Then m^6
+/// and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside this range the interval
+/// stage scales. In 3D the squares of the norms have degree 8.
 inline constexpr double filter_range = 0x1p120;
 inline constexpr double filter_range_3 = 0x1p100;
 

@@ -10,9 +10,9 @@
 
 namespace annulus {
 
-/// The circle through the corners of a triangle, prepared to be asked on which side of it points are: signs of
-/// certificates and nothing else, where no tolerance is needed. What the triangle contributes is computed once for its
-/// three edges, so all signs of a triangulation cost a third of its tolerances.
+/// The circle through the corners of a triangle, prepared for tests of points: signs of certificates only, where no
+/// tolerance is needed. The triangle's contribution is computed once for its three edges, so all signs of a
+/// triangulation cost a third of its tolerances.
 ///
 /// With u, v, w the second corner, the third and the point relative to the first, the certificate's determinant is
 ///   | u |u|^2 |   = w . n + |w|^2 (u x v),   n = (u.y |v|^2 - v.y |u|^2, v.x |u|^2 - u.x |v|^2),
@@ -31,17 +31,17 @@ class Circumcircle_2 {
         magnitude_ = std::max(detail::magnitude(u), detail::magnitude(v));
     }
 
-    /// The triangle is certainly positive. False: it is not, or the next stage has to tell.
+    /// True when the triangle is certainly positive. False: it is not, or the next stage has to decide.
     [[nodiscard]] bool positive() const {
         const double error = bounds::orientation_2 * bounds::u * (magnitude_ * magnitude_);
         return twice_area_ > error && magnitude_ <= bounds::filter_range && magnitude_ * bounds::filter_range >= 1.0;
     }
-    /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    /// True when p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to decide.
     [[nodiscard]] bool excludes(const Coordinates<2>& p) const { return beside<1>(p); }
-    /// All of them are, and the triangle is positive: the least answer beside the bound of the largest coordinate,
-    /// without a branch on the way. True only where positive() and excludes() of each are, since a bound grows with
-    /// its coordinate (and where a determinant may overflow that coordinate is beyond the range). Precondition: the
-    /// coordinates are numbers.
+    /// True only when the triangle is positive and all points are outside, each certainly: compares the least
+    /// determinant with the error bound of the largest coordinate, without a branch. This implies positive() and
+    /// excludes() of each point, since a bound grows with its coordinate (and where a determinant may overflow that
+    /// coordinate is beyond the range). Precondition: the coordinates are numbers.
     template <class... P>
     [[nodiscard]] bool excludes_all(const P&... p) const {
         double m = magnitude_;
@@ -49,7 +49,7 @@ class Circumcircle_2 {
         ((least = std::min(least, outside_of(p, m))), ...);
         return (int{clear(least, m)} & int{positive()}) != 0;
     }
-    /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    /// True when p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to decide.
     [[nodiscard]] bool contains(const Coordinates<2>& p) const { return beside<-1>(p); }
 
   private:
@@ -60,7 +60,7 @@ class Circumcircle_2 {
         m = std::max(m, detail::magnitude(w));
         return (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
     }
-    /// A determinant of coordinates up to m is above its error.
+    /// Whether a determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
         const double m2 = m * m;
         return (int{determinant > bounds::circumcircle_2 * bounds::u * (m2 * m2)} & int{m <= bounds::filter_range}) !=

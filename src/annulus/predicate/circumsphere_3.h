@@ -11,12 +11,11 @@
 
 namespace annulus {
 
-/// The sphere through the corners of a cell, prepared to be asked on which side of it points are: Circumcircle_2
-/// in 3D.
+/// The sphere through the corners of a cell, prepared for tests of points: Circumcircle_2 in 3D.
 ///
 /// With u, v, t and w the other corners and the point relative to the first corner, the certificate's determinant is
 ///   |w|^2 det(u, v, t) - w . n,   n = |u|^2 v x t + |v|^2 t x u + |t|^2 u x v,
-/// positive when the point is outside and the cell positive: n / (2 det) is where the centre is.
+/// positive when the point is outside and the cell positive; n / (2 det) is where the centre is.
 /// Errors: bounds.h, proofs/gappa/circumsphere_3.g. The rounding mode must be to nearest.
 class Circumsphere_3 {
   public:
@@ -37,15 +36,15 @@ class Circumsphere_3 {
         magnitude_ = std::max(detail::magnitude(u), std::max(detail::magnitude(v), detail::magnitude(t)));
     }
 
-    /// The cell is certainly positive. False: it is not, or the next stage has to tell.
+    /// True when the cell is certainly positive. False: it is not, or the next stage has to decide.
     [[nodiscard]] bool positive() const {
         const double error = bounds::orientation_3 * bounds::u * (magnitude_ * magnitude_ * magnitude_);
         return determinant_ > error && magnitude_ <= bounds::filter_range_3 &&
                magnitude_ * bounds::filter_range_3 >= 1.0;
     }
-    /// p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    /// True when p is certainly outside. Precondition: positive(). False: it is not, or the next stage has to decide.
     [[nodiscard]] bool excludes(const Coordinates<3>& p) const { return beside<1>(p); }
-    /// All of them are, and the cell is positive: as in Circumcircle_2.
+    /// True only when the cell is positive and all points are outside, each certainly: as in Circumcircle_2.
     template <class... P>
     [[nodiscard]] bool excludes_all(const P&... p) const {
         double m = magnitude_;
@@ -53,7 +52,7 @@ class Circumsphere_3 {
         ((least = std::min(least, outside_of(p, m))), ...);
         return (int{clear(least, m)} & int{positive()}) != 0;
     }
-    /// p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to tell.
+    /// True when p is certainly inside. Precondition: positive(). False: it is not, or the next stage has to decide.
     [[nodiscard]] bool contains(const Coordinates<3>& p) const { return beside<-1>(p); }
 
   private:
@@ -63,7 +62,7 @@ class Circumsphere_3 {
         m = std::max(m, detail::magnitude(w));
         return square(w) * determinant_ - dot(w, normal_);
     }
-    /// A determinant of coordinates up to m is above its error.
+    /// Whether a determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
         const double m2 = m * m;
         return (int{determinant > bounds::circumsphere_3 * bounds::u * (m2 * m2 * m)} &

@@ -10,8 +10,8 @@
 #include <cmath>
 #include <concepts>
 
-// The filter stage on a number type V: a double, or several of them side by side (lanes.h). One formula for both,
-// with the same operations, so that a batch gives bit for bit what single calls give.
+// The filter stage on a number type V: a double, or several of them side by side (lanes.h). Both use one formula with
+// the same operations, so a batch gives the same bits as single calls.
 namespace annulus::detail {
 
 template <class Mask, class V>
@@ -25,7 +25,7 @@ template <class Mask, class V>
     }
 }
 
-/// True where one lane at least is.
+/// True if at least one lane is.
 template <class Mask>
 [[nodiscard]] bool any(const Mask& mask) {
     if constexpr (std::same_as<Mask, bool>) return mask;
@@ -45,18 +45,18 @@ template <class V>
     return max(V(max(V(abs(v.x)), V(abs(v.y)))), V(abs(v.z)));
 }
 
-/// What the filter stage makes of one certificate.
+/// What the filter stage decides about one certificate.
 template <class V>
 struct Decision {
     V sign;       ///< 1 or -1; 0: left to the next stage
-    V tolerance;  ///< lower bound of half the width; of no meaning unless sign is 1
+    V tolerance;  ///< lower bound of half the width; meaningless unless sign is 1
 };
 
-/// Decides on a computed determinant and computed norms when the error bounds leave the sign certain and the
+/// Decides from a computed determinant and computed norms, if with the error bounds the sign is certain and the
 /// tolerance tight.
 ///
-/// `det_error` bounds |determinant~ - determinant| and `norm_error` what the computed roots may be short by, both
-/// absolute. With certified = false the tolerance is the plain quotient and only the sign is decided here.
+/// `det_error` bounds |determinant~ - determinant|, and `norm_error` by how much the computed roots may be too small,
+/// both absolute. With certified = false the tolerance is the plain quotient and only the sign is decided here.
 /// Proved: proofs/gappa/tail_2.g, tail_3.g.
 template <class V>
 [[nodiscard]] Decision<V> decide(const V& determinant, const V& roots, const V& det_error, const V& norm_error,
@@ -81,20 +81,20 @@ template <class V, class Mask>
     return {select(undecided, V(0.0), l.sign), select(needed, V(min(l.tolerance, r.tolerance)), l.tolerance)};
 }
 
-/// `decision`, but nothing where it is positive and in doubt.
+/// `decision`, but undecided where it is positive and in doubt.
 template <class V, class Mask>
 [[nodiscard]] Decision<V> unless(const Decision<V>& decision, const Mask& doubt) {
     return {select(doubt && decision.sign > V(0.0), V(0.0), decision.sign), decision.tolerance};
 }
 
-/// `decision` where the largest difference m is in the range of the bounds, 1 / range to range; nothing elsewhere.
+/// `decision` where the largest difference m is in the range of the bounds, 1 / range to range; elsewhere undecided.
 template <class V>
 [[nodiscard]] Decision<V> in_range(const V& m, double range, const Decision<V>& decision) {
     const auto inside = m <= V(range) && m * V(range) >= V(1.0);
     return {select(inside, decision.sign, V(0.0)), decision.tolerance};
 }
 
-/// One lane as a value; false where the next stage is to be asked.
+/// Stores one lane as a value. Returns false if the next stage has to decide.
 [[nodiscard]] inline bool answer(double sign, double tolerance, Certificate_value& out) {
     out.stage = Stage::filter;
     out.sign = static_cast<std::int8_t>(sign);

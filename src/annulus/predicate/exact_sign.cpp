@@ -28,7 +28,7 @@ T empty_sphere(const Vector_2<T>& u, const Vector_2<T>& w, const Vector_2<T>& v)
     const T ww = squared(w.x) + squared(w.y);
     return T(w.x * (u.y * vv - v.y * uu) + w.y * (v.x * uu - u.x * vv) + ww * orientation(u, v));
 }
-/// That of Circumsphere_3: of the cell 0, u, v, t and the point w.
+/// The determinant of Circumsphere_3: of the cell 0, u, v, t and the point w.
 template <class T>
 T empty_sphere(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w, const Vector_3<T>& t) {
     const Vector_3<T> vt = cross(v, t);

@@ -5,14 +5,14 @@
 
 namespace annulus {
 
-/// A sign, and which stage knew it.
+/// A sign, and the stage that decided it.
 struct Staged_sign {
     std::int8_t sign;
     Stage stage;
 };
 
-// Exact signs of certificates where no tolerance is needed, where the filter stage could not tell: intervals, then
-// integers. A fifth of the cost of a value, which wants the widths too. Points in the order of the filtered
+// Exact signs of certificates where no tolerance is needed and the filter stage could not decide: intervals, then
+// integers. A fifth of the cost of a value, which needs the widths too. Points are in the order of the filtered
 // predicate.
 
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);

@@ -7,7 +7,7 @@ namespace annulus {
 
 namespace {
 
-// Of what gives point i minus point j.
+// vector(i, j) is point i minus point j.
 template <class Vectors>
 auto triangle_terms(const Vectors& vector) {
     return orientation_terms(vector(1, 0), vector(2, 0), vector(2, 1));
@@ -17,7 +17,7 @@ auto bicell_terms(const Vectors& vector) {
     return annulus_terms(vector(1, 0), vector(2, 0), vector(3, 0), vector(3, 2));
 }
 
-/// Terms of a half width as an answer of the interval stage.
+/// Stores terms of a half width as the answer of the interval stage.
 bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Certificate_value& out) {
     if (!detail::interval_sign(t.determinant, out)) return false;
     if (out.sign < 0) return true;

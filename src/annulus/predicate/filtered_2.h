@@ -29,7 +29,7 @@ template <class V>
     using std::sqrt;
     const V m = max(magnitude(u), magnitude(v));
     const auto t = orientation_terms(u, v, w);
-    // The sides are relative to u each, so the norms carry relative errors only: no absolute norm error.
+    // The sides are each relative to u, so the norms have relative errors only: no absolute norm error.
     return in_range(m, bounds::filter_range,
                     decide(t.determinant, V(V(2.0) * sqrt(t.inner)), V(V(bounds::orientation_2 * bounds::u) * (m * m)),
                            V(0.0), certified));
@@ -53,9 +53,10 @@ template <class V>
 }  // namespace detail
 
 /// Filter stage of the orientation of a triangle (or of three consecutive hull vertices): positive when x[0], x[1],
-/// x[2] turn left. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
+/// x[2] turn left. Returns false when it cannot decide, or cannot give a tight tolerance; `out` is then unspecified.
 ///
-/// Rounding mode must be to nearest. About 10 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
+/// The rounding mode must be to nearest. About 10 ns; batch.h is faster. Errors: bounds.h,
+/// proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<2, 3>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                               detail::difference(x, 2, 1), certified);
@@ -63,18 +64,19 @@ template <class V>
 }
 
 /// Filter stage of the empty circle of an edge: x = {a, b, p, q}, p right of ab, q left of it. Positive when the
-/// circle through a, b, q leaves p strictly outside. False as for orientation_filter.
+/// circle through a, b, q leaves p strictly outside. Returns false as orientation_filter does.
 ///
-/// Rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h, proofs/gappa/certificates_2.g.
+/// The rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h,
+/// proofs/gappa/certificates_2.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<2, 4>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_annulus(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                           detail::difference(x, 3, 0), detail::difference(x, 3, 2), certified);
     return detail::answer(d.sign, d.tolerance, out);
 }
 
-/// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of
-/// the determinant holds 0 or the tolerance is not within the stated slack.
-/// Never inlined: see Rounding_guard.
+/// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). Returns false when the
+/// interval of the determinant contains 0 or the tolerance is not within the stated slack. Never inlined: see
+/// Rounding_guard.
 [[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<2, 3>& x, Certificate_value& out);
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out);
 
@@ -82,11 +84,11 @@ template <class V>
 [[nodiscard]] Certificate_value orientation_exact(const Tuple<2, 3>& x);
 [[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<2, 4>& x);
 
-/// All stages for one certificate; the rounding mode must be to nearest and is put back.
+/// All stages for one certificate. The rounding mode must be to nearest, and is restored.
 [[nodiscard]] Certificate_value evaluate_orientation(const Tuple<2, 3>& x, bool certified = true);
 [[nodiscard]] Certificate_value evaluate_empty_sphere(const Tuple<2, 4>& x, bool certified = true);
 
-/// Half the width of the paper's slab (its 2.2): the altitude of x[2] over the line x[0] x[1], in plain double.
+/// Half the width of the paper's slab (its 2.2): half the altitude of x[2] over the line x[0] x[1], in plain double.
 [[nodiscard]] inline double paper_slab(const Tuple<2, 3>& x) {
     const auto u = detail::difference(x, 1, 0);
     const auto v = detail::difference(x, 2, 0);

@@ -8,7 +8,7 @@ namespace annulus {
 
 namespace {
 
-// Of what gives point i minus point j.
+// vector(i, j) is point i minus point j.
 template <class Vectors>
 auto tetrahedron_terms(const Vectors& vector) {
     return orientation_terms(vector(1, 0), vector(2, 0), vector(3, 0));
@@ -20,7 +20,7 @@ auto bicell_terms(const Vectors& vector) {
 
 // ---- Interval stage ---------------------------------------------------------------------------------------------
 
-/// Half the width of a tetrahedron, scaled: false where it is not certainly positive or not tight.
+/// Half the width of a tetrahedron, scaled. Returns false where it is not certainly positive or not tight.
 bool width_lower(const Width_terms<Interval>& t, double& lower) {
     if (!(t.determinant.lower() > 0.0)) return false;
     return detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
@@ -29,7 +29,7 @@ bool width_lower(const Width_terms<Interval>& t, double& lower) {
 
 // ---- Exact stage ------------------------------------------------------------------------------------------------
 
-/// Half a width, the largest double not above it; 0 where the determinant is not positive.
+/// Half a width as the largest double not above it; 0 where the determinant is not positive.
 double half_width(const Width_terms<mpz_class>& t, long exponent) {
     return sgn(t.determinant) > 0 ? quotient_by_roots_lower(t.determinant, t.inner, t.outer, exponent) : 0.0;
 }
@@ -66,7 +66,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out, Cell_wi
     return detail::with_scale(x, [&](const auto& minus, const detail::Scale& s) {
         const auto t = bicell_terms(detail::vectors(x, minus));
         out.wrong_side = 0;
-        bool certainly = false;  // one of them is wrong-side
+        bool certainly = false;  // one partition is on the wrong side
         for (std::size_t k = 1; k < partitions_3; ++k) {
             if (!(t.side[k].lower() > 0.0)) out.wrong_side = static_cast<std::uint8_t>(out.wrong_side | (1U << k));
             certainly = certainly || t.side[k].upper() <= 0.0;

@@ -9,22 +9,24 @@
 #include <algorithm>
 #include <cmath>
 
-// The filtered predicate in 3D. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x
-// (c - a). A bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p, so seen from q the facet a b c
-// turns left, and p is behind it. In 2D it is {a, b, p, q} with positive triangles a b q and b a p.
+// The filtered predicate in 3D. Orientations are CGAL's: a, b, c, d is positive when d is on the side of (b - a) x (c
+// - a). A bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p. So the facet a b c turns left as
+// seen from q, and p is behind it. In 2D it is {a, b, p, q} with positive triangles a b q and b a p.
 
 namespace annulus {
 
 /// Whether the widths of the two cells enter the tolerance of an empty sphere in 3D (docs/theory.md 2.2, remark).
 ///
-/// The annulus of a partition A | B excludes it wherever its points are when A is the inner side, sum of lambda over
-/// B > 0. Else it does so only along a motion on which both cells stay positive, from the same reference.
+/// If A is on the inner side of the annulus of a partition A | B (the sum of lambda over B is positive), the annulus
+/// excludes the partition wherever its points are. Otherwise the partition is on the wrong side: the annulus excludes
+/// it only along a motion on which both cells stay positive, from the same reference.
 enum class Cell_widths : std::uint8_t {
-    never,  ///< the least of the four annuli; see Certificate_value::wrong-side
-    /// With the cells where one of the sums is not positive: safe by itself. A stage that cannot tell whether one is,
-    /// where it matters to the tolerance, leaves it to the next: the answer is that of any order of the points.
+    never,  ///< the least of the four annuli; see Certificate_value::wrong_side
+    /// With the cells where one of the sums is not positive: safe by itself. If a stage cannot decide whether a sum is,
+    /// and the tolerance depends on it, it leaves the answer to the next stage: the answer is the same for any order of
+    /// the points.
     where_needed,
-    always,  ///< the sign tolerance of theory 2: of use where a motion is all that is known of the cells
+    always,  ///< the sign tolerance of theory 2: for use where only a motion is known of the cells
 };
 
 namespace detail {
@@ -56,7 +58,7 @@ template <class V>
     return sum;
 }
 
-/// A Decision, and which partitions are wrong-side: bit k as the number 2^k.
+/// A Decision, and the partitions on the wrong side: bit k as the number 2^k.
 template <class V>
 struct Bicell_decision {
     Decision<V> decision;
@@ -102,22 +104,23 @@ template <class V>
 
 }  // namespace detail
 
-/// Filter stage of the orientation of a tetrahedron (a cell, or a hull ridge): positive in CGAL's sense. The
-/// tolerance is half its width. False when it cannot tell or cannot tell tightly; `out` is then unspecified.
+/// Filter stage of the orientation of a tetrahedron (a cell, or a hull ridge): positive in CGAL's sense. The tolerance
+/// is half its width. Returns false when it cannot decide, or cannot give a tight tolerance; `out` is then
+/// unspecified.
 ///
-/// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
+/// The rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool orientation_filter(const Tuple<3, 4>& x, bool certified, Certificate_value& out) {
     const auto d = detail::decide_orientation(detail::difference(x, 1, 0), detail::difference(x, 2, 0),
                                               detail::difference(x, 3, 0), certified);
     return detail::answer(d.sign, d.tolerance, out);
 }
 
-/// Filter stage of the empty sphere of the facet a b c, x = {a, b, c, p, q}: positive when the sphere through a, b,
-/// c, p leaves q strictly outside. The tolerance is the least half width of the four annuli, and of the cells as
-/// `cells` says. False as for orientation_filter. Precondition: both cells are positive; where one is not, the sign
-/// is right and no tolerance is given that `cells` makes depend on it.
+/// Filter stage of the empty sphere of the facet a b c, x = {a, b, c, p, q}: positive when the sphere through a, b, c,
+/// p leaves q strictly outside. The tolerance is the least half width of the four annuli, and of the cells as `cells`
+/// says. Returns false as orientation_filter does. Precondition: both cells are positive. Where one is not, the sign
+/// is right, and no tolerance is given that depends on it by `cells`.
 ///
-/// Rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
+/// The rounding mode must be to nearest. Errors: bounds.h, proofs/gappa/certificates_3.g.
 [[nodiscard]] inline bool empty_sphere_filter(const Tuple<3, 5>& x, bool certified, Certificate_value& out,
                                               Cell_widths cells = Cell_widths::where_needed) {
     return detail::answer(
@@ -126,29 +129,29 @@ template <class V>
         out);
 }
 
-/// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). False when the interval of the
-/// determinant holds 0 or the tolerance is not within the stated slack.
-/// Never inlined: see Rounding_guard.
+/// Interval stage. The rounding mode must be upward (one Rounding_guard around a batch). Returns false when the
+/// interval of the determinant contains 0 or the tolerance is not within the stated slack. Never inlined: see
+/// Rounding_guard.
 [[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<3, 4>& x, Certificate_value& out);
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out,
                                                         Cell_widths cells = Cell_widths::where_needed);
 
-/// Exact stage: always answers, with the largest double that is not above the truth. Microseconds.
+/// Exact stage: always answers, with the largest double not above the truth. Microseconds.
 [[nodiscard]] Certificate_value orientation_exact(const Tuple<3, 4>& x);
 [[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells = Cell_widths::where_needed);
 
-/// All stages for one certificate; the rounding mode must be to nearest and is put back.
+/// All stages for one certificate. The rounding mode must be to nearest, and is restored.
 [[nodiscard]] Certificate_value evaluate_orientation(const Tuple<3, 4>& x, bool certified = true);
 [[nodiscard]] Certificate_value evaluate_empty_sphere(const Tuple<3, 5>& x, bool certified = true,
                                                       Cell_widths cells = Cell_widths::where_needed);
 
-/// The four annuli of a bi-cell one by one, in the order of Partition_3.
+/// The four annuli of a bi-cell, each separately, in the order of Partition_3.
 struct Annuli {
     std::array<double, partitions_3> half_width{};  ///< the largest double not above |P| / (sum of norms)
     std::array<std::int8_t, partitions_3> side{};   ///< exact sign of the sum of lambda over B
     std::int8_t sign = 0;                           ///< exact sign of the empty sphere
 };
-/// Exact. The first one is the paper's standard annulus; for analysis, not for speed.
+/// Exact. The first one is the paper's standard annulus. For analysis, not for speed.
 [[nodiscard]] Annuli annuli_exact(const Tuple<3, 5>& x);
 
 /// Half the width of the paper's standard annulus, abc | pq, in plain double; 0 where the sphere is not empty.
@@ -165,8 +168,8 @@ struct Annuli {
     return 0.5 * dot(n, detail::difference(x, 3, 0)) / std::sqrt(square(n));
 }
 
-/// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: of the planes parallel to it and to
-/// x[2] x[3].
+/// Half the width of the paper's slab of a hull ridge x[0] x[1], in plain double: that between the planes parallel to
+/// it and to x[2] x[3].
 [[nodiscard]] inline double paper_ridge(const Tuple<3, 4>& x) {
     const auto n = cross(detail::difference(x, 1, 0), detail::difference(x, 3, 2));
     return 0.5 * std::fabs(dot(n, detail::difference(x, 2, 0))) / std::sqrt(square(n));

@@ -44,7 +44,7 @@ Width_terms<T> terms(const Tuple<3, 4>&, Width which, const From& from) {
     return {ridge ? magnitude_of(height) : height, norm, norm};
 }
 
-/// The annuli of a bi-cell: they share the determinant, and the first is the paper's.
+/// The annuli of a bi-cell. They share the determinant, and the first is the paper's.
 template <class T, std::size_t n>
 struct Annuli_terms {
     T determinant;
@@ -84,7 +84,7 @@ Norms norms(const Interval& inner, const Interval& outer) {
     return {roots_lower(inner, outer), detail::roots_upper(inner, outer)};
 }
 
-/// A determinant over norms. False where it is not certainly positive or the ends are too far apart.
+/// Divides a determinant by norms. Returns false where it is not certainly positive or the ends are too far apart.
 bool quotient(const Interval& determinant, const Norms& n, const detail::Scale& s, Half_width& out) {
     if (!(n.least > 0.0)) return false;
     const double lower = detail::quotient_lower(determinant.lower(), n.most);
@@ -93,7 +93,7 @@ bool quotient(const Interval& determinant, const Norms& n, const detail::Scale& 
     out.lower = detail::unscaled_lower(lower, s);
     out.upper = upper / s.first / s.second;
     out.stage = Stage::interval;
-    // A subnormal result has lost what was known.
+    // A subnormal result has lost precision.
     return out.lower >= std::numeric_limits<double>::min() && std::isfinite(out.upper);
 }
 
@@ -187,7 +187,7 @@ Stage& stage_of(Bicell_half_widths& h) { return h.least.stage; }
 template <class X, class Out, class... Which>
 void enclose_all(std::span<const X> x, std::span<Out> out, Which... which) {
     assert(x.size() == out.size());
-    for (Out& o : out) stage_of(o) = Stage::exact;  // until intervals tell
+    for (Out& o : out) stage_of(o) = Stage::exact;  // until intervals answer
     (void)later_stages(
         x.size(), [&](std::size_t i) { return stage_of(out[i]) == Stage::exact; },
         [&](std::size_t i) {

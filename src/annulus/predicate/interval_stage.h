@@ -12,17 +12,18 @@
 // What the interval stages of both dimensions share. All of it assumes upward rounding: see Rounding_guard.
 namespace annulus::detail {
 
-/// A power of two can itself leave the range of doubles (differences of 2^-1074 want 2^1073): two factors do not.
+/// A scale as two factors. One power of two can itself leave the range of doubles (differences of 2^-1074 need
+/// 2^1073).
 struct Scale {
     double first = 1.0;
     double second = 1.0;
 };
 
-/// Differences between 2^-100 and 2^100 in magnitude are left as they are: no product leaves the range of doubles,
-/// and what underflows is enclosed like any other rounding.
+/// Differences between 2^-100 and 2^100 in magnitude are not scaled: no product leaves the range of doubles, and
+/// underflow is enclosed like any other rounding.
 inline constexpr double unscaled_range = 0x1p100;
 
-/// The largest magnitude of a difference of coordinates to those of the first point, rounded up.
+/// The largest magnitude of a coordinate's difference to the first point, rounded up.
 template <std::size_t d, std::size_t k>
 [[nodiscard]] double largest_difference(const std::array<const std::array<double, d>*, k>& x) {
     double m = 0.0;
@@ -31,8 +32,8 @@ template <std::size_t d, std::size_t k>
     return m;
 }
 
-/// Calls evaluate(difference, scale) with a function that gives the interval of a difference of two coordinates,
-/// scaled so that those to the first point are at most 1 where they are not in the range anyway.
+/// Calls evaluate(difference, scale), where difference(a, b) is the interval of the difference of two coordinates. It
+/// is scaled so that differences to the first point are at most 1, unless they are in the unscaled range.
 template <std::size_t d, std::size_t k, class Evaluate>
 [[nodiscard]] bool with_scale(const std::array<const std::array<double, d>*, k>& x, Evaluate evaluate) {
     const double m = largest_difference(x);
@@ -46,11 +47,11 @@ template <std::size_t d, std::size_t k, class Evaluate>
 }
 
 /// sqrt(x) + sqrt(y), an upper bound. The square roots are rounded upward like everything else: Boost.Interval's own
-/// would switch the rounding mode for the lower end, which costs more than all the rest.
+/// root would switch the rounding mode for the lower end, which costs more than all the rest.
 [[nodiscard]] inline double roots_upper(const Interval& x, const Interval& y) {
     return std::sqrt(x.upper()) + std::sqrt(y.upper());
 }
-/// A few units in the last place above the lower bound. Used for tightness only, where that does no harm.
+/// At most a few units in the last place above the lower bound. Used only to test tightness, where that does no harm.
 [[nodiscard]] inline double roots_about(const Interval& x, const Interval& y) {
     return std::sqrt(x.lower()) + std::sqrt(y.lower());
 }
@@ -58,26 +59,26 @@ template <std::size_t d, std::size_t k, class Evaluate>
 /// x / y, a lower bound; x, y >= 0.
 [[nodiscard]] inline double quotient_lower(double x, double y) { return -(-x / y); }
 
-/// Are the ends of a positive number as near to one another as the interval stage promises? What is allowed is
-/// rounded downward, which matters where it is subnormal.
+/// Whether the ends of a positive number are as near to one another as the interval stage promises. The allowed
+/// difference is rounded downward, which matters where it is subnormal.
 [[nodiscard]] inline bool within_slack(double lower, double upper) {
     return upper - lower <= -(-bounds::interval_slack * lower);
 }
 
-/// The tolerance determinant / roots, still scaled, where it is within the stated slack; false elsewhere.
-/// determinant > 0.
+/// The tolerance determinant / roots, still scaled. Returns false when it is not within the stated slack.
+/// Precondition: determinant > 0.
 [[nodiscard]] inline bool quotient_lower_tight(const Interval& determinant, double roots_most, double roots_least,
                                                double& lower) {
     lower = quotient_lower(determinant.lower(), roots_most);
     return within_slack(lower, determinant.upper() / roots_least);
 }
 
-/// Undoes the scale: exact unless the result is subnormal; then the quotient is still below.
+/// Undoes the scale: exact unless the result is subnormal; then the quotient is still a lower bound.
 [[nodiscard]] inline double unscaled_lower(double x, const Scale& s) {
     return quotient_lower(quotient_lower(x, s.first), s.second);
 }
 
-/// The sign as an answer, before any tolerance: false where the interval holds 0.
+/// Stores the sign, before any tolerance. Returns false when the interval contains 0.
 [[nodiscard]] inline bool interval_sign(const Interval& determinant, Certificate_value& out) {
     out.stage = Stage::interval;
     out.tolerance = 0.0;

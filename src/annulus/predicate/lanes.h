@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/standard.h>
 
 #if defined(__GNUC__) && !defined(__clang__)
-// g++'s own intrinsics for AVX-512 begin with registers that hold anything, and g++ warns of these where they are used.
+// g++'s own intrinsics for AVX-512 start from uninitialised registers, and g++ warns about these where they are used.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -17,7 +17,7 @@
 namespace annulus {
 
 /// Several doubles side by side, as many as a register of the target holds: 2 on the x86-64 baseline. Each lane is
-/// rounded as a double by itself would be.
+/// rounded as a single double would be.
 using Lanes = std::experimental::native_simd<double>;
 
 }  // namespace annulus

@@ -8,11 +8,11 @@
 
 namespace annulus {
 
-/// The stages after the first, for certificates 0, ..., n - 1: what is open(i) is asked of intervals, inside one
-/// Rounding_guard, and what is open still of integers. interval(i) says whether it answered, and then i is open no
-/// more. Returns how many each answered.
+/// The stages after the filter, for certificates 0, ..., n - 1. Calls interval(i) for each i that is open(i), inside
+/// one Rounding_guard. It returns whether it answered; then i must no longer be open. Calls exact(i) for each i that
+/// is still open. Returns how many each stage answered.
 ///
-/// What interval() computes it computes from memory, in functions that are not inlined (rounding_guard.h).
+/// interval() must compute from memory, in functions that are not inlined (rounding_guard.h).
 template <class Open, class Interval, class Exact>
 Stage_counts later_stages(std::size_t n, Open open, Interval interval, Exact exact) {
     Stage_counts counts;

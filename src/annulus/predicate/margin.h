@@ -17,8 +17,8 @@ template <int d, std::size_t k>
     return m;
 }
 
-/// How large the determinant that the filter stage computes is beside its error bound (bounds.h). Above 1 the sign is
-/// certain; a tolerance as tight as is promised takes 1 / filter_slack. Plain double, rounding to nearest; no number
+/// The ratio of the determinant that the filter stage computes to its error bound (bounds.h). Above 1 the sign is
+/// certain; a tolerance as tight as promised needs 1 / filter_slack. Plain double, rounding to nearest; meaningless
 /// where the size is out of the filter's range.
 [[nodiscard]] inline double filter_margin(const Tuple<2, 3>& x) {
     using detail::difference;

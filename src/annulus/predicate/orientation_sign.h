@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-// The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to tell. The
+// The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to decide. The
 // determinants and errors are those of Circumcircle_2 and Circumsphere_3 (bounds.h). The rounding mode must be to
 // nearest.
 

@@ -10,9 +10,9 @@ namespace annulus {
 
 namespace {
 
-/// The cell of all points but slot d is positive; that one is tested against its sphere. The perturbation of the
+/// The cell of all points but slot d is positive, and slot d is tested against its sphere. The perturbation of the
 /// lexicographically largest point dominates; its coefficient is an orientation of the others. In 3D the two largest
-/// suffice: if the first is 0, its four points lie on a plane that contains no fifth.
+/// suffice: if the first coefficient is 0, its four points lie on a plane that contains no fifth.
 template <int d>
 int perturbed(const Tuple<d, d + 2>& x) {
     constexpr std::size_t tested = d, last = d + 1;

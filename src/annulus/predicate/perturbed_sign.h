@@ -5,11 +5,11 @@
 
 namespace annulus {
 
-/// Sign of the empty sphere of x = {a, b, p, q}, or {a, b, c, p, q}, with the lexicographic symbolic perturbation
-/// that CGAL has, where the points are cospherical: never 0. Preconditions: evaluate_empty_sphere(x).sign == 0, and
-/// both cells are positive. By order of places, whatever their addresses.
+/// Sign of the empty sphere of x = {a, b, p, q}, or {a, b, c, p, q}, for cospherical points, by CGAL's lexicographic
+/// symbolic perturbation: never 0. Preconditions: evaluate_empty_sphere(x).sign == 0, and both cells are positive.
+/// Depends on the order of positions, not on addresses.
 ///
-/// CGAL's removal relies on the triangulation being the one this perturbation picks (theory 6.7), so that flips decide
+/// CGAL's removal needs the triangulation that this perturbation selects (theory 6.7), so flips also decide
 /// cospherical cases with it. Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D
 /// triangulations, 2011. In 3D the rule is that of CGAL::Delaunay_triangulation_3::side_of_oriented_sphere.
 [[nodiscard]] int perturbed_sign(const Tuple<2, 4>& x);

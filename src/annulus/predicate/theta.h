@@ -12,9 +12,9 @@ namespace annulus {
 
 /// The angle theta of a bi-cell in radians, in [0, pi/2]: the angle between the axis of the facet a b and the bisector
 /// of the opposite vertices p, q (paper, figure 4). sin(theta) = |(q - p) . n| / (|q - p| |n|) with n normal to the
-/// facet (theory 4). Small theta: the two lines whose crossing is the centre of the standard annulus are nearly
+/// facet (theory 4). For small theta the two lines whose crossing is the centre of the standard annulus are nearly
 /// parallel. Plain double, accurate to a few units in the last place anywhere in the coordinate domain: the angle is
-/// taken from sine and cosine together, of vectors scaled by powers of two. 0 when a = b or p = q.
+/// computed from sine and cosine together, of vectors scaled by powers of two. 0 when a = b or p = q.
 [[nodiscard]] inline double theta(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& p,
                                   const Coordinates<2>& q) {
     auto [bx, by] = Euclidean<2>::difference(b, a);
@@ -31,9 +31,9 @@ namespace annulus {
     return std::atan2(std::fabs(bx * ey - by * ex), std::fabs(bx * ex + by * ey));
 }
 
-/// The same in 3D: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units
-/// in the last place over the sine of the facet's least angle, because the normal of a thin facet is no better known
-/// than that; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
+/// The same in 3D: the angle between the axis of the facet a b c and the bisector of p, q. Accurate to a few units in
+/// the last place, divided by the sine of the facet's least angle, because the normal of a thin facet is known no
+/// better; anywhere in the coordinate domain. 0 when p = q or a, b, c are collinear.
 [[nodiscard]] inline double theta(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                   const Coordinates<3>& p, const Coordinates<3>& q) {
     using Vector = std::array<double, 3>;

@@ -10,7 +10,7 @@
 // Tolerances that are the least of several half widths.
 namespace annulus {
 
-/// One certificate in a mode.
+/// One certificate, with the given precision of its tolerance.
 template <class T>
 [[nodiscard]] Certificate_value evaluate_orientation(const T& x, Tolerance_precision mode) {
     const Certificate_value v = evaluate_orientation(x, mode != Tolerance_precision::approximate);
@@ -22,9 +22,9 @@ template <class T>
     return mode == Tolerance_precision::correctly_rounded && v.sign > 0 ? empty_sphere_exact(x) : v;
 }
 
-/// The sign tolerance of a bi-cell: the least half width of its annuli and its two cells. No placement with every
-/// point closer than that to where it is changes the sign of the empty sphere (theory 2). Precondition: both cells
-/// are positive; where one is not the tolerance is 0. The stage is the last one that was asked.
+/// The sign tolerance of a bi-cell: the least half width of its annuli and its two cells. As long as every point is
+/// closer than that to its position here, the sign of the empty sphere does not change (theory 2). Precondition: both
+/// cells are positive; where one is not the tolerance is 0. The stage is the last one that was needed.
 [[nodiscard]] inline Certificate_value evaluate_sign_tolerance(
     const Tuple<2, 4>& x, Tolerance_precision mode = Tolerance_precision::lower_bound) {
     Certificate_value out = evaluate_empty_sphere(x, mode);
@@ -43,16 +43,16 @@ template <class T>
                                                                         : v;
 }
 
-/// Lowers the tolerance of every vertex of certificate i to that of value i: with `tolerance` infinite before the
-/// first call, and one call for each kind of certificate, it is the vertex tolerance, the least over the certificates
-/// that contain the vertex.
+/// Lowers the tolerance of every vertex of certificate i to that of value i. Start with `tolerance` infinite and make
+/// one call for each kind of certificate: the result is the vertex tolerance, the least over the certificates that
+/// contain the vertex.
 template <std::size_t k>
-void lower_to_certificates(std::span<const std::array<Index, k>> points, std::span<const Certificate_value> verdicts,
+void lower_to_certificates(std::span<const std::array<Index, k>> points, std::span<const Certificate_value> values,
                            std::span<double> tolerance) {
     for (std::size_t i = 0; i < points.size(); ++i)
         for (const Index v : points[i]) {
             double& t = tolerance[static_cast<std::size_t>(v)];
-            t = std::min(t, verdicts[i].tolerance);
+            t = std::min(t, values[i].tolerance);
         }
 }
 

@@ -52,13 +52,13 @@ template <std::size_t d, std::size_t k, class Minus = std::minus<>>
     return as_vector(annulus::difference(x, i, j, minus));
 }
 
-/// Exact, of `coordinates` of a certificate in R^d.
+/// The same, exactly: points of a certificate in R^d, given by all their coordinates.
 template <int d>
 [[nodiscard]] auto difference(const Scaled_integers& z, std::size_t i, std::size_t j) {
     return as_vector(Euclidean<d>::difference(&z.integer[d * i], &z.integer[d * j], Exact_minus()));
 }
 
-/// What gives point i minus point j for (i, j): of a certificate's points, by `minus`, and exact.
+/// Functions (i, j) -> point i minus point j: of a certificate's points, by `minus`; and exact.
 template <std::size_t d, std::size_t k, class Minus>
 [[nodiscard]] auto vectors(const std::array<const std::array<double, d>*, k>& x, const Minus& minus) {
     return [&x, &minus](std::size_t i, std::size_t j) { return difference(x, i, j, minus); };

@@ -9,10 +9,10 @@
 
 namespace annulus {
 
-/// What half a width is made of: half width = determinant / (sqrt(inner) + sqrt(outer)).
+/// The terms of half a width: half width = determinant / (sqrt(inner) + sqrt(outer)).
 ///
-/// The sign of the certificate is the sign of `determinant`. One formula per quantity, written once for doubles,
-/// intervals and integers; the centre of the annulus, whose division by D is what fails when theta goes to 0, never
+/// The sign of the certificate is the sign of `determinant`. There is one formula per quantity, written once for
+/// doubles, intervals and integers. The centre of the annulus, whose division by D fails when theta goes to 0, never
 /// appears.
 template <class T>
 struct Width_terms {
@@ -23,9 +23,10 @@ struct Width_terms {
 
 /// Half the least altitude of the triangle 0, u, v, where w = v - u; positive when the triangle is.
 ///
-/// The three points become collinear under a displacement of each by s exactly when a slab of width 2s holds them, and
-/// the least such slab is the least altitude 2A / max side (theory 2; paper 2.2 "parallel hyperplanes").
-/// determinant = u x v = 2A and inner = outer = max side squared, so the quotient is A / max side, half an altitude.
+/// The three points can become collinear under a displacement of each by s exactly when a slab of width 2s holds them,
+/// and the width of the least such slab is the least altitude 2A / max side (theory 2; paper 2.2 "parallel
+/// hyperplanes"). Here determinant = u x v = 2A and inner = outer = max side squared, so the quotient is A / max side,
+/// half an altitude.
 template <class T>
 [[nodiscard]] Width_terms<T> orientation_terms(const Vector_2<T>& u, const Vector_2<T>& v, const Vector_2<T>& w) {
     using std::max;
@@ -37,11 +38,21 @@ template <class T>
     return {det, longest, longest};
 }
 
-/// Half the width of the standard annulus of the edge a b with opposite vertices p (right of ab) and q (left of it).
+/// Half the width of the standard annulus of the edge a b with opposite vertices p (right of ab) and q (left of it):
+///
+///               . - - - - .
+///           .                 .
+///         .     . - b - .       .        inner circle: through a and b, radius |N| / 2D
+///        .     .    |    .       .
+///       q<-w->.     |o    .<-w->p        o: the common centre, where the bisectors of a b and p q meet
+///        .     .    |    .       .
+///         .     . - a - .       .        outer circle: through p and q, radius |M| / 2D
+///           .                 .
+///               . - - - - .              the tolerance is w / 2
 ///
 /// Vectors b, p, q are relative to a, and e = q - p. With ob = b x q and oa = p x b (both positive), D = ob + oa,
 /// s = e.(q + p - b), the vector N = D b + s b_perp is 2D times the centre, M = N - 2 D p, and
-/// |M|^2 - |N|^2 = 4 D incircle, so (|M| - |N|) / 2D / 2 = incircle / (|M| + |N|)   (theory 4; proofs/coq/width_2.v).
+/// |M|^2 - |N|^2 = 4 D incircle, so (|M| - |N|) / 2D / 2 = incircle / (|M| + |N|) (theory 4; proofs/coq/width_2.v).
 template <class T>
 [[nodiscard]] Width_terms<T> annulus_terms(const Vector_2<T>& b, const Vector_2<T>& p, const Vector_2<T>& q,
                                            const Vector_2<T>& e) {

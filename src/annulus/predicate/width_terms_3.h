@@ -72,8 +72,8 @@ template <class T>
 
 /// Half the width of the tetrahedron 0, u, v, w; positive when (u x v).w is, CGAL's positive orientation.
 ///
-/// Four points become coplanar under a displacement of each by s exactly when a slab of width 2s holds them; the slab
-/// whose planes hold two opposite edges, or a facet and its vertex, has width determinant / |area vector|. Here
+/// Four points can become coplanar under a displacement of each by s exactly when a slab of width 2s holds them. The
+/// slab whose planes hold two opposite edges, or a facet and its vertex, has width determinant / |area vector|. Here
 /// determinant = 6V and inner = outer = the largest area vector squared.
 template <class T>
 [[nodiscard]] Width_terms<T> orientation_terms(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w) {
@@ -82,12 +82,12 @@ template <class T>
     return {dot(uv, w), largest, largest};
 }
 
-/// Partitions A | B of the points of a bi-cell in 3D that cannot be excluded by its cells, in the order of all
-/// arrays.
+/// Partitions A | B of the points of a bi-cell in 3D that its cells do not exclude, in the order of all arrays. abc_pq
+/// is that of the standard annulus.
 enum Partition_3 : std::size_t { abc_pq, ab_cpq, ca_bpq, bc_apq, partitions_3 };
 
-/// What the half widths of the four annuli of a bi-cell are made of. They share the determinant:
-/// half width of partition k = |determinant| / (sqrt(inner[k]) + sqrt(outer[k])).
+/// The terms of the half widths of the four annuli of a bi-cell. They share the determinant: half width of partition k
+/// = |determinant| / (sqrt(inner[k]) + sqrt(outer[k])).
 template <class T>
 struct Bicell_terms_3 {
     T determinant;                        ///< insphere: positive when q is outside the sphere of a, b, c, p
@@ -102,14 +102,14 @@ struct Bicell_terms_3 {
 /// Half widths of the annuli of the facet a b c with opposite vertices p and q, vectors b, c, p, q relative to a. The
 /// cells a, b, c, q and b, a, c, p are positive in CGAL's sense: q is on the side of b x c, p on the other.
 ///
-/// With the affine dependence lambda of the five points (sum of lambda = 0, sum of lambda x = 0; lambda_p = (b x
-/// c).q, lambda_q = -(b x c).p) the determinant is P = sum of lambda |x|^2. U_i = 2 lambda_i c_i, c_i the centre of
-/// the sphere through all points but i, needs no division. For a partition A | B, L = sum over B of lambda and
-/// N = sum over B of U: N / 2L is the centre of the annulus, its radii are |N - 2 L x| / 2L, x in A or in B, and
-/// P = L (r_B^2 - r_A^2). Hence
+/// With the affine dependence lambda of the five points (sum of lambda = 0, sum of lambda x = 0; lambda_p = (b x c).q,
+/// lambda_q = -(b x c).p) the determinant is P = sum of lambda |x|^2. U_i = 2 lambda_i c_i, where c_i is the centre of
+/// the sphere through all points but i, needs no division. For a partition A | B let L = sum over B of lambda and
+/// N = sum over B of U. Then N / 2L is the centre of the annulus, its radii are |N - 2 L x| / 2L with x in A or in B,
+/// and P = L (r_B^2 - r_A^2). Hence
 ///     half width = |P| / (|N - 2 L x_A| + |N - 2 L x_B|)          (docs/theory.md 4; proofs/identities).
-/// a is one of the two points of each partition, with |N|. The dependence adds up to 0, and so do the U: sums over B
-/// or over A are the same up to the sign, and the shorter one is taken.
+/// In each partition a is one of the two points, with norm |N|. The lambda add up to 0, and so do the U. So sums over
+/// B and over A are the same up to the sign, and the shorter one is used.
 template <class T>
 [[nodiscard]] Bicell_terms_3<T> annulus_terms(const Vector_3<T>& b, const Vector_3<T>& c, const Vector_3<T>& p,
                                               const Vector_3<T>& q) {
@@ -123,7 +123,7 @@ template <class T>
     const T cc = square(c);
     const T pp = square(p);
     const T qq = square(q);
-    // lambda; that of q is -nq, so that cells and signs are read off without a negation.
+    // lambda; that of q is -nq, so that cells and signs need no negation.
     const T lb = dot(cp, q);
     const T lc = dot(bq, p);
     const T lp = dot(bc, q);
@@ -160,7 +160,7 @@ template <class T>
 }
 
 /// The terms of the half widths of the two cells of a bi-cell, b a c p and a b c q, from the products of
-/// annulus_terms: the very numbers of orientation_terms(c, b, p) and orientation_terms(b, c, q).
+/// annulus_terms: exactly the numbers of orientation_terms(c, b, p) and orientation_terms(b, c, q).
 template <class T>
 [[nodiscard]] Width_terms<T> cell_p_terms(const Bicell_terms_3<T>& t) {
     const T largest = largest_slab(-t.products[0], t.products[1], -t.products[3]);

@@ -5,8 +5,9 @@
 
 namespace annulus {
 
-/// A triangulation whose triangles are all positive is led to the Delaunay one by any order of such flips (Lawson),
-/// each of which is of a strictly convex quadrilateral; with the perturbation no edge is degenerate.
+/// If all triangles of a triangulation are positive, such flips lead to the Delaunay triangulation in any order
+/// (Lawson). Each of them flips a strictly convex quadrilateral; with the symbolic perturbation no edge is
+/// degenerate.
 bool flip_after_move(Corner_table<2>& table, std::span<const Coordinates<2>> x, Index v, Sign_evaluator<2>& signs,
                      std::vector<Cell_index>& changed) {
     Budget budget;

@@ -9,12 +9,12 @@
 
 namespace annulus {
 
-/// The least tolerance among some certificates, for each of their points.
+/// The least tolerance of each point among some certificates.
 class Least_tolerance {
   public:
     void resize(std::size_t vertices) { least_.resize(vertices, unlimited); }
 
-    /// A certificate with this tolerance; its sites may end in `none`.
+    /// Notes a certificate with this tolerance; its sites may end in `none`.
     template <class Sites>
     void note(const Sites& sites, double tolerance) {
         for (const auto& [v, label] : sites) {
@@ -24,7 +24,7 @@ class Least_tolerance {
             least = std::min(least, tolerance);
         }
     }
-    /// Calls visit(v, tolerance) for every point, and forgets everything.
+    /// Calls visit(v, tolerance) for every point, and resets everything.
     template <class Visit>
     void take(Visit visit) {
         for (const Index v : touched_) {
@@ -42,7 +42,7 @@ class Least_tolerance {
   private:
     static constexpr double unlimited = std::numeric_limits<double>::infinity();
     std::vector<double> least_;   // by vertex
-    std::vector<Index> touched_;  // where it is not unlimited
+    std::vector<Index> touched_;  // those that are not unlimited
 };
 
 }  // namespace annulus

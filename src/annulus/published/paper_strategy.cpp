@@ -49,7 +49,7 @@ template <int d>
 void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
     const bool own = x.data() == this->position_.data();
     forget_queue();
-    least_.clear();  // it may name a vertex that a call which ran out of memory has not inserted
+    least_.clear();  // it may name a vertex that a call that ran out of memory has not inserted
     resize();
     if (own) x = this->position_;
     std::copy(x.begin(), x.end(), state_.fixed.begin());
@@ -59,7 +59,7 @@ void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, 
         tolerances_.note_everything(state_.fixed, least_, report);
         least_.take([this](Index v, double tolerance) { set_tolerance(v, tolerance); });
     }
-    // Last: after an exception the mesh is rebuilt at the old ones.
+    // Last: after an exception the mesh is rebuilt at the old positions.
     if (!own) std::copy(x.begin(), x.end(), this->position_.begin());
 }
 
@@ -71,7 +71,7 @@ void Paper_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& re
     Rebuild_strategy<d>::begin(x, report);
 }
 
-/// Whether v has a tolerance above its displacement to x, with all other vertices at rest.
+/// Whether the tolerance of v is greater than its displacement to x, with all other vertices at rest.
 template <int d>
 bool Paper_strategy<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_report& report) {
     std::vector<Cell_index> star;
@@ -157,8 +157,8 @@ void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& 
     queue_.vertex.clear();
 }
 
-/// Makes the moving position of h its fixed one, and the mesh Delaunay there; `changed` receives the cells around h and
-/// those that are new. Returns what has become of h. Throws Error(duplicate_point), with nothing changed.
+/// Makes the moving position of h its fixed one, and the mesh Delaunay there; `changed` receives the cells around h
+/// and the new cells. Returns the counter of what became of h. Throws Error(duplicate_point), with nothing changed.
 template <int d>
 std::uint64_t& Paper_strategy<d>::bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves) {
     Delaunay_mesh<d>& mesh = this->mesh();
@@ -189,7 +189,7 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
         done = &bring(h, changed, moves);
     } catch (const Error& e) {
         if (e.code() != Error_code::duplicate_point || is_taken(h)) throw;
-        // It is at the fixed position of a vertex that has moved on.
+        // h is at the fixed position of a vertex that has moved on.
     }
     queue_.has[at(h)] = 0;
     const bool rebuilt = done == &moves.rebuilt;
@@ -208,7 +208,7 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
     lower_points();
 }
 
-/// Whether another vertex is where h is. O(n).
+/// Whether another vertex is at the position of h. O(n).
 template <int d>
 bool Paper_strategy<d>::is_taken(Index h) const {
     const Coordinates<d>& p = this->position_[at(h)];
@@ -217,8 +217,8 @@ bool Paper_strategy<d>::is_taken(Index h) const {
     return false;
 }
 
-/// At the moving positions. Where two of them coincide, as tolerances that are not certified may let them, the cells of
-/// before are built again.
+/// Rebuilds at the moving positions. Where two of them coincide, which tolerances that are not certified allow, the
+/// previous cells are rebuilt.
 template <int d>
 void Paper_strategy<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     try {
@@ -230,7 +230,7 @@ void Paper_strategy<d>::rebuild(Index h, const Coordinates<d>& old_fixed) {
     }
 }
 
-/// After a move that went half way and was taken back: cells and tolerances again at the moving positions, O(n).
+/// After a move that was interrupted and undone: rebuilds cells and tolerances at the moving positions, O(n).
 template <int d>
 void Paper_strategy<d>::begin_again(Move_report& report) {
     try {
@@ -251,7 +251,7 @@ void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& repo
         ++report.moves.within_tolerance;
         return;
     }
-    const auto moves = report.moves;  // a vertex that meets another is asked to move again later
+    const auto moves = report.moves;  // a vertex that meets another one is moved again later
     bool begun = false;
     const auto rollback = [&] {
         report.moves = moves;

@@ -16,29 +16,30 @@ namespace annulus {
 /// The paper's filtering algorithm (its 3.2), one vertex at a time: the strategy `paper`; and `paper-hybrid`, which
 /// rebuilds until the motion is slow enough for it (4.2).
 ///
-/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. A vertex with D < eps
-/// is only written. One that fails enters a queue; each vertex h taken from it goes to f = m with D = 0: in place
-/// where all its certificates hold there, in 2D by flips where no triangle around it turns over (3.1), else it
-/// is taken out and put back in. The certificates that it then has lower the eps of their points, and those that no
-/// longer have D < eps enter the queue. Every vertex enters at most once a call (its D is 0 from then on), so the
-/// queue ends.
+/// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. For a vertex with D <
+/// eps only the position is written. Any other vertex enters a queue. Each vertex h taken from the queue gets f = m
+/// and D = 0: in place if all its certificates hold there; in 2D by flips if no triangle around it is inverted (3.1);
+/// else by removing and inserting it. The certificates that it then has lower the eps of their points, and points
+/// that no longer have D < eps enter the queue. Every vertex enters at most once per call (its D is 0 from then on),
+/// so the queue ends.
 ///
-/// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. One
-/// that is too large gives a wrong answer at the moving positions, and never breaks the mesh. In 3D those of the
-/// kind `paper` are too large (docs/theory.md 3).
+/// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. A
+/// tolerance that is too large gives a wrong answer at the moving positions, but never breaks the mesh. In 3D
+/// tolerances of the kind `paper` are too large (docs/theory.md 3).
 template <int d>
 class Paper_strategy final : public Rebuild_strategy<d> {
   public:
-    /// Precondition: `paper` or `paper_hybrid`. `seed` is of the samples of the latter.
+    /// Precondition: `paper` or `paper_hybrid`. `seed` is for the samples of `paper_hybrid`.
     Paper_strategy(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
         : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
 
-    /// Every tolerance again, with x as fixed and moving positions. When it throws, no position was written. O(n).
+    /// Recomputes every tolerance, with x as fixed and moving positions. When it throws, no position was written.
+    /// O(n).
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
-    /// Whether to use tolerances from now on: of 40 random vertices 75 % (55 % in 3D) have a tolerance above their
-    /// displacement. Looks at every fourth time step (paper 4.2).
+    /// Switches to tolerances if, of 40 random vertices, 75 % (55 % in 3D) have a tolerance above their displacement.
+    /// Checks at every fourth time step (paper 4.2).
     void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
     void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
@@ -60,7 +61,8 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     }
     [[nodiscard]] bool repairs() const override { return has_switched(); }
     [[nodiscard]] bool is_sequential() const override { return has_switched(); }
-    /// A vertex that came to the moving positions would have cells that need not be Delaunay at the fixed ones.
+    /// A vertex that is inserted at the moving positions would have cells that need not be Delaunay at the fixed
+    /// ones.
     [[nodiscard]] bool trusted() const override { return !has_switched(); }
 
   private:
@@ -82,7 +84,7 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     void rebuild(Index h, const Coordinates<d>& old_fixed);
     void begin_again(Move_report& report);
 
-    /// By vertex.
+    /// Indexed by vertex.
     struct State {
         std::vector<Coordinates<d>> fixed;
         std::vector<double> epsilon;
@@ -94,15 +96,15 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     };
     struct Switch {
         std::uint64_t steps = 0;
-        bool fresh = false;  // to tolerances, in a time step that has not ended
+        bool fresh = false;  // switched to tolerances in a time step that has not ended
     };
 
     Paper_tolerances<d> tolerances_;
     Sign_evaluator<d> signs_;
     State state_;
-    State saved_;  // before a time step
+    State saved_;  // before the time step
     Queue queue_;
-    Least_tolerance least_;  // of what is looked at
+    Least_tolerance least_;  // of the certificates being evaluated
     Switch switch_;
     std::mt19937_64 random_;
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t batch_size = 1024;  // certificates: they stay in the cache from one stage to the next
 }  // namespace
 
-/// What a call that ran out of memory has left.
+/// Removes what a call that ran out of memory has left.
 template <int d>
 void Paper_tolerances<d>::clear() {
     orientations_.clear();
@@ -45,14 +45,15 @@ void Paper_tolerances<d>::add_facet(Corner_index f, std::span<const Coordinates<
     }
 }
 
-/// The paper's number in place of the filtered predicate's, where plain double tells that the certificate holds.
+/// The paper's tolerance instead of that of the filtered predicate, if plain double decides that the certificate
+/// holds.
 template <int d>
 double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                       std::span<const Coordinates<d>> x) const {
     if (kind_ != Tolerance_kind::paper || v.stage != Stage::filter || v.sign <= 0) return v.tolerance;
     if (f.kind == Facet_kind::empty_sphere) {
         if constexpr (d == 3) return paper_annulus(tuple<d, d + 2>(f.point, x));
-        else return v.tolerance;  // in 2D it is the only annulus
+        else return v.tolerance;  // in 2D this is the only annulus
     }
     const auto y = tuple<d, d + 1>(f.point, x);
     return f.kind == Facet_kind::ridge ? paper_ridge(y) : paper_slab(y);
@@ -63,12 +64,12 @@ template <std::size_t k>
 void Paper_tolerances<d>::evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least,
                                    Move_report& report) {
     using T = Tuple<d, static_cast<int>(k)>;
-    verdict_.resize(batch.tuple.size());
+    values_.resize(batch.tuple.size());
     const Tolerance_precision mode =
         kind_ == Tolerance_kind::certified ? Tolerance_precision::lower_bound : Tolerance_precision::approximate;
-    const Stage_counts counts = annulus::evaluate(std::span<const T>(batch.tuple), mode, verdict_);
-    for (std::size_t i = 0; i < verdict_.size(); ++i)
-        least.note(batch.certificate[i].point, tolerance(batch.certificate[i], verdict_[i], x));
+    const Stage_counts counts = annulus::evaluate(std::span<const T>(batch.tuple), mode, values_);
+    for (std::size_t i = 0; i < values_.size(); ++i)
+        least.note(batch.certificate[i].point, tolerance(batch.certificate[i], values_[i], x));
     report.evaluated += counts.total();
     report.arithmetic += counts;
     batch.clear();

@@ -11,21 +11,21 @@
 
 namespace annulus {
 
-/// Tolerances of the certificates of a Delaunay triangulation (paper 2.2 and 2.3), by kind: `paper` has the standard
-/// annulus of every bi-cell and the slabs of the hull in plain double, and nothing of cells, which is unsound in 3D
-/// (docs/theory.md 3); `floating` and `certified` have the annuli of all partitions and of cells, the former in plain
-/// double.
+/// Tolerances of the certificates of a Delaunay triangulation (paper 2.2 and 2.3), by kind. `paper` has the standard
+/// annulus of every bi-cell and the slabs of the hull, in plain double, and no tolerances of cells, which is unsound
+/// in 3D (docs/theory.md 3). `floating` and `certified` have the annuli of all partitions and tolerances of cells,
+/// `floating` in plain double.
 template <int d>
 class Paper_tolerances {
   public:
     Paper_tolerances(const Corner_table<d>& table, Tolerance_kind kind) : table_(table), kind_(kind) {}
     [[nodiscard]] Tolerance_kind kind() const { return kind_; }
 
-    /// Notes in `least` the tolerances at x of all certificates that these cells and their facets own, and counts them.
-    /// Cells that are gone, or named twice, do no harm. O(k log k).
+    /// Notes in `least` the tolerances at x of all certificates of these cells and of their facets, and counts them.
+    /// Cells that are gone or named twice are allowed. O(k log k).
     void note(std::span<const Cell_index> cells, std::span<const Coordinates<d>> x, Least_tolerance& least,
               Move_report& report);
-    /// The same of all cells. O(n).
+    /// The same for all cells. O(n).
     void note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
 
   private:
@@ -51,7 +51,7 @@ class Paper_tolerances {
     Tolerance_kind kind_;
     Batch<d + 1> orientations_;
     Batch<d + 2> spheres_;
-    std::vector<Certificate_value> verdict_;
+    std::vector<Certificate_value> values_;
 };
 
 extern template class Paper_tolerances<2>;

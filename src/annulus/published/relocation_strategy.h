@@ -5,8 +5,8 @@
 
 namespace annulus {
 
-/// The strategies `relocate` and `relocate-flips`: each vertex is taken out and put back in, always, or where a
-/// certificate of it does not hold at its new position (paper 3.1). No tolerances.
+/// The strategies `relocate` and `relocate-flips`: each vertex is removed and inserted again, always, or only where
+/// one of its certificates does not hold at its new position (paper 3.1). No tolerances.
 template <int d>
 class Relocation_strategy final : public Rebuild_strategy<d> {
   public:

@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where they do not fit:
-/// tolerances that are not certified are the paper's strategies' alone.
+/// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where the options do
+/// not fit together: only the paper's strategies allow tolerances that are not certified.
 template <int d>
 [[nodiscard]] std::unique_ptr<Update_strategy<d>> make_strategy(Delaunay_mesh<d>& mesh, const Options& options);
 

@@ -21,7 +21,7 @@ std::string power_of_ten(int n) {
 }
 
 std::string in_digits(double value, int decimals) {
-    char text[800];  // any double; no host's locale
+    char text[800];  // room for any double; independent of the locale
     std::string out(text,
                     std::to_chars(text, text + sizeof text, std::fabs(value), std::chars_format::fixed, decimals).ptr);
     const auto dot = std::min(out.find('.'), out.size());
@@ -32,7 +32,7 @@ std::string in_digits(double value, int decimals) {
     return (value < 0 ? "−" : "") + out;
 }
 
-/// Length in {1, 2, 5} times a power of ten that cuts the range into about five.
+/// The step, 1, 2 or 5 times a power of ten, that divides the range into about five.
 double nice_step(double range) {
     const double rough = range / 5;
     const double power = std::pow(10., std::floor(std::log10(rough)));
@@ -57,13 +57,13 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
     }
     lower_ = axis.lower && can_show(*axis.lower) ? *axis.lower : lower;
     upper_ = axis.upper && can_show(*axis.upper) ? *axis.upper : upper;
-    // Too narrow a range for doubles to count its ticks is shown as a point is.
+    // A range that is too narrow for doubles to count its ticks is shown like a single value.
     const double narrow = std::max(1e-280, 1e-9 * std::max(std::fabs(lower_), std::fabs(upper_)));
     if (logarithmic ? !(lower_ < upper_) : !(upper_ - lower_ > narrow)) {
         const double centre = lower_;
         lower_ = logarithmic ? centre / 3 : centre - std::max(std::fabs(centre) / 10, 1e-3);
         upper_ = logarithmic ? centre * 3 : centre + std::max(std::fabs(centre) / 10, 1e-3);
-        if (!logarithmic && axis.lower) {  // as counts that are all 0
+        if (!logarithmic && axis.lower) {  // for example counts that are all 0
             lower_ = centre;
             upper_ = centre + std::max(std::fabs(centre) / 10, 1.);
         }
@@ -72,7 +72,7 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
         make_linear(axis);
         return;
     }
-    // Curves should not run along the frame, except over iterations, which begin at 1 sharp.
+    // Curves should not run along the frame, except over iterations, which begin exactly at 1.
     const double margin = std::pow(upper_ / lower_, 0.04);
     if (!axis.lower && !axis.tight) lower_ /= margin;
     if (!axis.upper && !axis.tight) upper_ *= margin;
@@ -81,7 +81,7 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
 
 void Axis_range::make_linear(const Axis& axis) {
     const double step = nice_step(upper_ - lower_);
-    // Ends that the caller gave stay; those of the data move out to the next tick.
+    // Ends given by the caller are kept; those of the data move outwards to the next tick.
     if (!axis.lower) lower_ = std::floor(lower_ / step + 1e-9) * step;
     if (!axis.upper) upper_ = std::ceil(upper_ / step - 1e-9) * step;
     const double largest = std::max(std::fabs(lower_), std::fabs(upper_));
@@ -98,7 +98,7 @@ void Axis_range::make_logarithmic() {
     const int first = static_cast<int>(std::floor(std::log10(lower_) + 1e-9));
     const int last = static_cast<int>(std::ceil(std::log10(upper_) - 1e-9));
     const int every = std::max(1, (last - first + 5) / 6);  // label at most seven powers
-    const bool in_digits_all = first >= -3 && last <= 5;    // one notation on one axis
+    const bool in_digits_all = first >= -3 && last <= 5;    // one notation per axis
     const auto add = [&](double value, std::string label) {
         if (value >= lower_ * (1 - 1e-9) && value <= upper_ * (1 + 1e-9)) ticks_.push_back({value, std::move(label)});
     };
@@ -108,7 +108,7 @@ void Axis_range::make_logarithmic() {
         add(power, !labelled ? "" : in_digits_all ? readable(power) : power_of_ten(n));
         if (last - first > 8) continue;
         for (int k = 2; k < 10; ++k)
-            // Over less than two powers the ticks between them are needed for reading.
+            // An axis over less than two powers needs labels on the ticks between them.
             add(k * power, upper_ / lower_ < 100 && (k == 2 || k == 5) ? readable(k * power) : "");
     }
 }
@@ -119,7 +119,7 @@ double Axis_range::place(double value) const {
 }
 
 bool Axis_range::can_show(
-    double value) const {  // Beyond these no margin and no tick could be computed; no plot has such lengths or times.
+    double value) const {  // Beyond these no margin or tick can be computed; no plot has such values.
     return std::fabs(value) <= 1e290 && (scale_ == Scale::linear || value >= 1e-290);
 }
 

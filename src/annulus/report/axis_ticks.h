@@ -20,9 +20,10 @@ class Axis_range {
     /// Covers the values that the axis can show, widened to whole steps (linear) or by a margin (logarithmic).
     Axis_range(const Axis& axis, const std::vector<double>& values);
 
-    /// Place of a value, 0 at the lower end and 1 at the upper.
+    /// Position of a value, 0 at the lower end and 1 at the upper.
     [[nodiscard]] double place(double value) const;
-    /// False for what the scale cannot show: not finite, not positive on a logarithmic axis, beyond 1e290 or 1e-290.
+    /// False for a value that the scale cannot show: not finite, not positive on a logarithmic axis, beyond 1e290 or
+    /// 1e-290.
     [[nodiscard]] bool can_show(double value) const;
     [[nodiscard]] const std::vector<Tick>& ticks() const noexcept { return ticks_; }
     [[nodiscard]] double lower() const noexcept { return lower_; }
@@ -38,7 +39,7 @@ class Axis_range {
     std::vector<Tick> ticks_;
 };
 
-/// A number for people: three significant digits, thousands grouped (12,300), powers of ten written out when far from
+/// A number for display: three significant digits, thousands grouped (12,300), powers of ten written out when far from
 /// 1.
 [[nodiscard]] std::string readable(double value);
 

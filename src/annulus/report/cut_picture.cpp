@@ -29,7 +29,7 @@ Picture cut_picture(const Cells_3& cells, std::span<const char> inside, std::spa
     for (std::size_t c = 0; c < cells.size(); ++c) {
         if (inside[c] == 0) continue;
         for (const auto& f : facet_corners) {
-            // The section of a facet is an edge: between the two of its edges that cross.
+            // The section of a facet is a segment between those two of its edges that cross the plane.
             std::array<Index, 2> ends{};
             std::size_t found = 0;
             for (std::size_t i = 0; i < 3; ++i) {

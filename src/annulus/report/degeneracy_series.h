@@ -14,9 +14,9 @@
 
 namespace annulus {
 
-/// How degenerate one frame of a motion is, in short. Lengths are in mean spacings of the frame.
+/// A summary of how degenerate one frame of a motion is. Lengths are in mean spacings of the frame.
 struct Degeneracy_row {
-    /// Of what is not flat.
+    /// Of frames that are not flat.
     struct Numbers {
         double spacing = 0;
         std::uint64_t bicells = 0, zero = 0, non_convex = 0, paper_unsound = 0;
@@ -41,9 +41,9 @@ struct Degeneracy_series {
     Input_record input{};
 };
 
-/// The content of degeneracy.csv: a row a frame; what flat frames do not have is absent.
+/// The content of degeneracy.csv: one row per frame; values that flat frames do not have are absent.
 [[nodiscard]] Csv_table degeneracy_table(const Degeneracy_series& series);
-/// The content of degeneracy.json of a motion: what the table is of.
+/// The content of degeneracy.json of a motion: a description of the table.
 [[nodiscard]] nlohmann::ordered_json degeneracy_json(const Degeneracy_series& series);
 /// The page with its curves.
 [[nodiscard]] std::string degeneracy_html(const Degeneracy_series& series);

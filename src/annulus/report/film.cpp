@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// What is outside the window goes, but for the ends of edges that come in.
+/// Drops what is outside the window, except the ends of edges that enter it.
 void Film::clip(Picture& picture) {
     if (!window_ && picture.points.size() > most_vertices)
         window_ = window_of(picture.points, most_vertices, most_vertices / 2);
@@ -73,7 +73,7 @@ std::string Film::html() const {
         out += "; of each a window in the middle, chosen when there were more than " + grouped(most_vertices) +
                " vertices";
     out += ".</figcaption>\n";
-    // Only where there are scripts is there something to slide.
+    // Without scripts there is nothing to slide.
     return out + R"js(<script>
 for (const film of document.querySelectorAll(".film")) {
   const shots = film.querySelectorAll("figure"), slider = film.querySelector("input");

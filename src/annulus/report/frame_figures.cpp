@@ -52,7 +52,7 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
             plot("How far points go in a step", "step", "displacement (mean spacings)",
                  {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
                   over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
-        if (run.moves.rebuilt == 0)  // a rebuild has none
+        if (run.moves.rebuilt == 0)  // a rebuild has no flips
             motion.panels.push_back(plot("Flips", "step", "flips in a step",
                                          {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }

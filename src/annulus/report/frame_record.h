@@ -9,7 +9,7 @@
 
 namespace annulus {
 
-/// What one frame of a run was, in the caller's units; what was not asked for is absent.
+/// Results for one frame of a run, in the caller's units; results that were not requested are absent.
 struct Frame_record {
     struct Neighbour_pairs {
         std::uint64_t made = 0, broken = 0;
@@ -19,7 +19,7 @@ struct Frame_record {
         std::uint64_t bounded = 0, unbounded = 0;
         double volume_low = 0, volume_median = 0, volume_high = 0;  ///< 5 %, half and 95 % are smaller
         double neighbours_mean = 0;
-        double hexagons = 0;  ///< share that has six neighbours
+        double hexagons = 0;  ///< share of cells with six neighbours
     };
 
     std::uint64_t number = 0;
@@ -28,8 +28,8 @@ struct Frame_record {
     std::optional<Voronoi> voronoi{};
 };
 
-/// Curves over the frames, of what is there and is not the same throughout. With `steps` those of the run's steps
-/// too: how far points go, flips.
+/// Curves over the frames, of values that are present and not constant. With `steps` also those of the run's steps:
+/// displacements, flips.
 [[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
                                                 bool steps);
 

@@ -59,7 +59,7 @@ void append_numbers(std::string& out, const Run_record& run) {
     out += "</table></div>\n";
 }
 
-/// Both pictures show the same part of the plane, or they could not be compared.
+/// Both pictures show the same window, so that they can be compared.
 void append_pictures(std::string& out, const Report& report) {
     if (!report.before && !report.after) return;
     out += "<h2>The triangulation</h2>\n<div class=\"panels\">\n";

@@ -24,7 +24,7 @@ Series over_iterations(std::string name, const std::vector<Iteration_record>& st
     return series;
 }
 
-/// Values measured in some steps only are joined across the others.
+/// Values that were measured only in some steps are joined across the others.
 template <class Value>
 void add_measured(std::vector<Series>& all, std::string name, const std::vector<Iteration_record>& steps, Value value) {
     Series series;

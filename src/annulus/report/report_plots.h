@@ -11,7 +11,7 @@ namespace annulus {
 /// distributions of the width (figure 6b). Panels without data are left out.
 [[nodiscard]] std::vector<Plot> convergence_plots(const Report& report);
 
-/// Percentage of moves beyond the tolerance, and time a step, over the iterations.
+/// Percentage of moves beyond the tolerance, and time per step, over the iterations.
 [[nodiscard]] std::vector<Plot> cost_plots(const Run_record& run);
 
 /// Dihedral angles before and after, slivers and share of locked vertices over the iterations. Empty without meshes.

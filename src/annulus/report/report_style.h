@@ -5,8 +5,9 @@
 
 namespace annulus {
 
-/// The style sheet of reports. The colours of curves c0 to c6 are Okabe and Ito's, which stay apart for all common
-/// kinds of colour blindness, darkened on light pages and lightened on dark ones until a thin line has enough contrast.
+/// The style sheet of reports. The colours of curves c0 to c6 are Okabe and Ito's, which remain distinguishable under
+/// all common kinds of colour blindness, darkened on light pages and lightened on dark ones until a thin line has
+/// enough contrast.
 inline constexpr const char* report_style = R"css(
 :root{color-scheme:light dark;--bg:#fdfdfb;--ink:#1d2126;--soft:#5b636c;--rule:#dcdfe2;--grid:#e9ebed;--edge:#8a949e;
 --bad:#a82a00;--good:#00684a;

@@ -11,9 +11,9 @@
 
 namespace annulus {
 
-/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent keeping the triangulation
-/// and its tolerances right, and nothing else: the first triangulation and its tolerances are in no step, but in
-/// `construction`.
+/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent on updating the
+/// triangulation and its tolerances, and nothing else: the first triangulation and its tolerances belong to no step,
+/// but to `construction`.
 struct Seconds_record {
     double triangulation = 0;
     double motion = 0;
@@ -21,7 +21,7 @@ struct Seconds_record {
     double construction = 0;
 };
 
-/// What became of the moves asked for.
+/// How the requested moves were made.
 struct Moves_record {
     std::uint64_t asked = 0;
     std::uint64_t within_tolerance = 0;
@@ -33,13 +33,13 @@ struct Moves_record {
     friend bool operator==(const Moves_record&, const Moves_record&) = default;
 };
 
-/// How often the triangulation was audited, and how often it failed.
+/// How often the triangulation was audited, and how often an audit failed.
 struct Audit_record {
     std::uint64_t checked = 0;
     std::uint64_t failed = 0;
 };
 
-/// The mesh after one step of an optimisation in 3D: cells of the domain and what their vertices did.
+/// The mesh after one step of an optimisation in 3D: cells of the domain, and how many of their vertices moved.
 struct Mesh_step {
     std::uint64_t vertices = 0;  ///< of cells of the domain
     std::uint64_t boundary = 0;  ///< of these, on its surface
@@ -57,7 +57,7 @@ struct Iteration_record {
     std::uint64_t iteration = 0;  ///< from 1
     double seconds_triangulation = 0;
     double seconds_motion = 0;
-    double seconds_cumulative = 0;  ///< seconds_triangulation of this step and all before it, construction apart
+    double seconds_cumulative = 0;  ///< seconds_triangulation of this step and all before it, without construction
     double displacement_mean = 0;
     double displacement_max = 0;
     std::optional<double> tolerance_mean;
@@ -70,22 +70,22 @@ struct Iteration_record {
     std::optional<Mesh_step> mesh;
 };
 
-/// What was made of an input file, where there is one.
+/// How an input file, if any, was read.
 struct Input_record {
     std::vector<std::pair<std::string, std::string>> columns;  ///< "x" is "column 2 (xs)"
     std::string dimension;              ///< why it is 2 where points have a z: "z is 0.5 everywhere"
-    std::vector<std::string> ignored;   ///< what the file says and is not obeyed: "box"
-    std::vector<std::string> warnings;  ///< the same in lines, and what may be otherwise than it was read
+    std::vector<std::string> ignored;   ///< content of the file that is ignored: "box"
+    std::vector<std::string> warnings;  ///< the same as lines, and what may have another meaning
 };
 
-/// One run of one strategy, as the files that it writes tell it.
+/// One run of one strategy, as in the files that it writes.
 struct Run_record {
     std::string command;
     Input_record input;
     int dimension = 2;
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 0;
-    bool interrupted = false;  ///< before the last step that was asked for
+    bool interrupted = false;  ///< before the last requested step
     std::string strategy;
     std::string tolerance;
     unsigned threads = 1;
@@ -100,12 +100,12 @@ struct Run_record {
     std::optional<Mesh_step> mesh_before;  ///< before the first step
 };
 
-/// The same motion under several strategies, the first of which is not special.
+/// The same motion under several strategies, all treated alike.
 struct Comparison_record {
     std::vector<Run_record> runs;
     bool agree = true;
     std::vector<std::string> disagreements;  ///< a line for each
-    bool interrupted = false;                ///< then the runs have not come equally far, and there is no verdict
+    bool interrupted = false;                ///< then the runs have different numbers of steps, and there is no verdict
 };
 
 }  // namespace annulus

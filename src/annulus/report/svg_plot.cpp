@@ -14,20 +14,20 @@ namespace {
 
 constexpr double width = 520;
 constexpr double height = 360;
-constexpr double least_left = 58;  ///< room for the label of the axis of y, and four digits
+constexpr double least_left = 58;  ///< room for the label of the y axis, and four digits
 constexpr double top = 14;
 constexpr double bottom = 52;
 constexpr double line_height = 16;    ///< between the names of curves
 constexpr double letter_width = 8.2;  ///< of bold text at 13 units in a wide font
-constexpr double number_width = 9.4;  ///< of a digit at 15 units, which narrow windows have
+constexpr double number_width = 9.4;  ///< of a digit at 15 units, as in narrow windows
 constexpr std::size_t colours = 7;    ///< classes c0 to c6
 
 std::string number(double value) {
-    char text[400];  // any double; no host's locale
+    char text[400];  // room for any double; independent of the locale
     return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr};
 }
 
-/// Where the axes lie, in the units of the drawing.
+/// The positions of the axes, in the units of the drawing.
 struct Frame {
     double left = least_left;
     double right = width - 24;  ///< leaves half a tick label
@@ -40,12 +40,12 @@ struct Pixel {
     double y;
 };
 
-/// Characters of UTF-8.
+/// The number of UTF-8 characters.
 std::size_t letters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// Names of curves stand right of the frame, so it ends where the longest begins; and it begins where the longest
+/// Names of curves are to the right of the frame, so it ends where the longest begins; it begins where the longest
 /// number ends.
 Frame frame_for(const Plot& plot, const Axis_range& ys) {
     std::size_t longest = 0;
@@ -85,8 +85,8 @@ void draw_axes(std::string& out, const Plot& plot, const Frame& frame, const Axi
            ")rotate(-90)\">" + escaped(plot.y.label) + "</text>";
 }
 
-/// Appends the piece of a curve between two interruptions, thinned: of all points in one half unit of x, the first,
-/// lowest, highest and last draw the same picture.
+/// Appends the piece of a curve between two interruptions, thinned: of all points within half a unit of x, the first,
+/// lowest, highest and last give the same picture.
 void draw_piece(std::string& path, const std::vector<Pixel>& piece) {
     for (std::size_t i = 0; i < piece.size();) {
         std::size_t end = i;
@@ -107,7 +107,7 @@ void draw_piece(std::string& path, const std::vector<Pixel>& piece) {
     if (piece.size() == 1) path += "h0";  // a dot, by the round cap of the line
 }
 
-/// Draws one curve and returns its last visible point, or the peak of a histogram: where its name goes.
+/// Draws one curve and returns the position of its name: its last visible point, or the peak of a histogram.
 std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::size_t index, const Frame& frame,
                                 const Axis_range& xs, const Axis_range& ys) {
     std::string path;
@@ -137,7 +137,7 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
     return last;
 }
 
-/// Draws the bars of errors. On a logarithmic scale one that reaches below 0 goes to the border.
+/// Draws the error bars. On a logarithmic scale a bar that reaches below 0 extends to the border.
 void draw_errors(std::string& out, const Series& series, std::size_t index, const Frame& frame, const Axis_range& xs,
                  const Axis_range& ys) {
     std::string path;
@@ -191,7 +191,7 @@ void draw_names(std::string& out, const Plot& plot, const Frame& frame, const st
     std::sort(places.begin(), places.end());
     for (std::size_t k = 1; k < places.size(); ++k)
         places[k].first = std::max(places[k].first, places[k - 1].first + line_height);
-    // Those pushed below the frame move back up.
+    // Names pushed below the frame move back up.
     double limit = height - bottom;
     for (std::size_t k = places.size(); k-- > 0; limit = places[k].first - line_height)
         places[k].first = std::min(places[k].first, limit);
@@ -208,7 +208,7 @@ void draw_names(std::string& out, const Plot& plot, const Frame& frame, const st
 }  // namespace
 
 Series histogram_series(std::string name, const Histogram& histogram) {
-    // More than one empty bin at an end would only take the room of the others.
+    // More than one empty bin at an end would only waste room.
     const auto edges = histogram.edges();
     const auto counts = histogram.counts();
     std::size_t first = 0, end = counts.size();
@@ -232,7 +232,7 @@ std::string svg_plot(const Plot& plot) {
         for (std::size_t i = 0; i < std::min(s.y.size(), s.error.size()); ++i)
             if (s.error[i] > 0) all_y.insert(all_y.end(), {s.y[i] - s.error[i], s.y[i] + s.error[i]});
         if (!s.steps || s.y.empty()) continue;
-        all_y.push_back(0);  // bars stand on zero, and their names need room above
+        all_y.push_back(0);  // bars begin at zero, and their names need room above
         all_y.push_back(1.12 * *std::max_element(s.y.begin(), s.y.end()));
     }
     const Axis_range xs(plot.x, all_x);

@@ -17,7 +17,7 @@ struct Axis {
     /// The range to show; where absent, that of the data.
     std::optional<double> lower = std::nullopt;
     std::optional<double> upper = std::nullopt;
-    bool tight = false;  ///< logarithmic: no margin around the data
+    bool tight = false;  ///< on a logarithmic axis: no margin around the data
 };
 
 /// A curve. Points that are not finite, or not positive on a logarithmic axis, interrupt it.
@@ -26,7 +26,7 @@ struct Series {
     std::vector<double> x;
     std::vector<double> y;
     bool steps = false;  ///< a histogram: x are the bin edges, one more than y
-    /// By point, how far its bar reaches to either side; none where it is not positive, or missing.
+    /// By point, the length of its error bar to either side; no bar where it is not positive, or missing.
     std::vector<double> error{};
 };
 
@@ -42,9 +42,9 @@ struct Plot {
 [[nodiscard]] Series histogram_series(std::string name, const Histogram& histogram);
 
 /// The plot as one SVG element, 520 by 360 units, that scales with its container. Colours and fonts come from CSS
-/// classes (see report_style.h), so that a page decides on light and dark. Curves are told apart by colour, by dashes
-/// and by their names at their ends. Many points are thinned to what one pixel can show. All text is escaped. Linear in
-/// the points.
+/// classes (see report_style.h), so that the page chooses light or dark. Curves differ by colour, by dashes and by the
+/// names at their ends. Many points are thinned to the resolution of a pixel. All text is escaped. Linear in the
+/// points.
 [[nodiscard]] std::string svg_plot(const Plot& plot);
 
 }  // namespace annulus

@@ -12,7 +12,7 @@ namespace annulus {
 
 namespace {
 
-constexpr double side = 10000;  ///< of the drawing; whole units are fine enough, and short to write
+constexpr double side = 10000;  ///< of the drawing; whole units are fine enough, and short
 constexpr double margin = 150;  ///< around a whole picture; a window is cut off at the frame
 
 struct Grid_point {
@@ -22,7 +22,7 @@ struct Grid_point {
 
 Grid_point place(const Window& window, const Coordinates<2>& p) {
     const double scale = (window.whole ? side - 2 * margin : side) / (2 * window.half_side);
-    // Far outside the window the direction is all that matters, and long must hold the result.
+    // Far outside the window only the direction matters, and long must hold the result.
     const auto to_grid = [&](double offset) { return std::lround(std::clamp(side / 2 + offset * scale, -1e6, 1e6)); };
     return {to_grid(p[0] - window.centre[0]), to_grid(window.centre[1] - p[1])};
 }
@@ -58,7 +58,7 @@ Incidence incidence_of(const std::vector<std::array<Index, 2>>& edges, std::size
     return result;
 }
 
-/// Every edge once, in trails as long as they come: a trail needs one pair of numbers for each edge instead of two.
+/// Every edge once, in trails as long as possible: a trail needs one pair of numbers per edge instead of two.
 std::string trails(const std::vector<std::array<Index, 2>>& edges, const std::vector<Grid_point>& at) {
     const Incidence incidence = incidence_of(edges, at.size());
     std::vector<char> drawn(edges.size(), 0);
@@ -149,7 +149,7 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
         dots += "h0";
         ++shown;
     }
-    // Lines and dots keep their proportion to the spacing of the vertices.
+    // Lines and dots scale with the spacing of the vertices.
     const double spacing = side / std::sqrt(static_cast<double>(std::max<std::size_t>(shown, 1)));
     const auto thickness = [](double units) { return std::to_string(std::lround(units)); };
     std::string out =

@@ -9,14 +9,14 @@
 
 namespace annulus {
 
-/// Vertices and edges to draw, already in 2D: a projection or a cut in three dimensions.
+/// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut.
 struct Picture {
     std::vector<Coordinates<2>> points;
     std::vector<std::array<Index, 2>> edges;
     std::string caption;
 };
 
-/// The part of the plane that a picture shows, a square.
+/// The square that a picture shows.
 struct Window {
     Coordinates<2> centre{};
     double half_side = 1;

@@ -8,7 +8,7 @@ namespace annulus {
 
 namespace {
 
-/// Headings become buttons here and not before, so that nothing can be pressed where scripts do not run.
+/// The script turns headings into buttons, so that there are no buttons where scripts do not run.
 constexpr const char* script = R"js(
 for (const table of document.querySelectorAll("table.sortable")) {
   const body = table.tBodies[0];

@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// A cell of a wide table: what it shows, HTML, and the number that it is sorted by, where that is not its text.
+/// A cell of a wide table: its content, HTML, and the number by which it is sorted, where that is not its text.
 struct Table_cell {
     std::string html;
     std::optional<double> key{};
@@ -21,12 +21,12 @@ struct Table_cell {
 using Table_row = std::vector<Table_cell>;
 
 /// A wide table that scrolls sideways where the window is narrow. The first cell of a row is its heading. With
-/// `sortable` the page sorts the rows by a column when its heading is pressed, least first, and the other way round
-/// when it is pressed again; cells without a number come last.
+/// `sortable` the page sorts the rows by a column when its heading is pressed, least first, and in reverse order when
+/// it is pressed again; cells without a number come last.
 void append_table(std::string& out, const std::vector<std::string>& head, const std::vector<Table_row>& rows,
                   bool sortable = false);
 
-/// What sorts; for the end of a page. It changes nothing where there is no table to sort.
+/// The script that sorts, for the end of a page. It has no effect without a sortable table.
 [[nodiscard]] std::string table_script();
 
 }  // namespace annulus

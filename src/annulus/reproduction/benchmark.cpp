@@ -15,7 +15,7 @@ namespace annulus {
 
 namespace {
 
-/// Steps that are recorded at a time. With fewer, caches are cold more often.
+/// The number of steps that are recorded at a time. With fewer, caches are cold more often.
 constexpr std::uint64_t block_size = 25;
 
 Quality_record quality_record(std::uint64_t step, const Mesh_step& m) {
@@ -105,7 +105,7 @@ class Benchmark {
         if (const auto q = scene_.quality()) record_.qualities.push_back(quality_record(step, *q));
     }
 
-    /// At the positions before a step.
+    /// Measurements at the positions before a step.
     void look(std::uint64_t step, std::span<const Coordinates<d>> x, std::span<const Coordinates<d>> next) {
         const bool distribution = plan_.distributions.contains(step), counts = plan_.degeneracies.contains(step),
                    adversary = plan_.adversaries.contains(step), stability = plan_.stabilities.contains(step),

@@ -10,30 +10,30 @@
 
 namespace annulus {
 
-/// What is to be run on one motion, and looked at on the way.
+/// What is run on one motion, and measured on the way.
 struct Benchmark_plan {
-    std::string name;   ///< "lloyd-one": of the part, of files
-    std::string title;  ///< for people
+    std::string name;   ///< "lloyd-one": of the benchmark and its files
+    std::string title;  ///< for display
     std::uint64_t steps = 0;
     std::vector<Contender_plan> contenders{};
     std::set<std::uint64_t> surveys{}, distributions{}, degeneracies{}, adversaries{}, stabilities{},
         operations{};                    ///< before these steps; steps + 1 is after the last
     std::set<std::uint64_t> pictures{};  ///< after so many steps
     std::uint64_t quality_every = 0;     ///< steps; 0: never
-    std::uint64_t attacks = 0;           ///< of an adversary, at most; 0: all
+    std::uint64_t attacks = 0;           ///< at most; 0: all
     std::uint64_t seed = 1;
 };
 
-/// The reproduction is to end early.
+/// Thrown when the reproduction is to end early.
 struct Benchmark_stopped : std::runtime_error {
     Benchmark_stopped() : std::runtime_error("stopped") {}
 };
 
-/// Told how many steps are done and what happens; returns whether to go on.
+/// Called with the number of finished steps and a message; returns whether to continue.
 using Benchmark_listener = std::function<bool(std::uint64_t step, const std::string& news)>;
 
-/// Makes the motion and has all contenders follow it. Some steps are recorded at a time, and the racers follow them in
-/// turn, so that each has its own caches and yet all are timed within the same seconds, whatever else the machine
+/// Computes the motion and lets all contenders follow it. Some steps are recorded at a time, and the contenders follow
+/// them in turn, so that each has warm caches and yet all are timed within the same seconds, whatever else the machine
 /// does. Throws Benchmark_stopped.
 template <int d>
 [[nodiscard]] Benchmark_record benchmark(Scene<d>& scene, const Benchmark_plan& plan,

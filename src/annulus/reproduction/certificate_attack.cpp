@@ -19,8 +19,7 @@ Point cross(const Point& a, const Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Exactly: is the certificate of these points no longer what it must be? A cell of a bi-cell that is not positive is
-/// a failure too.
+/// Whether the certificate of these points fails, exactly. A cell of a bi-cell that is not positive is a failure, too.
 bool fails(std::span<const Point> x) {
     const auto positive = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t e) {
         return orientation_exact(Tuple<3, 4>{&x[a], &x[b], &x[c], &x[e]}).sign > 0;
@@ -30,11 +29,10 @@ bool fails(std::span<const Point> x) {
            !positive(1, 0, 2, 3);
 }
 
-/// Ways for points: along way[i], whichever its length, in the sense that brings the two sides of an annulus or a
-/// slab together.
+/// Directions for points: along way[i], of any length, towards the other side of an annulus or a slab.
 using Ways = std::vector<Point>;
 
-/// The annulus with three of the points on one sphere and two on the other: they go towards its middle.
+/// The annulus with three of the points on one sphere and two on the other: they move towards its middle.
 std::optional<Ways> annulus_ways(std::span<const Point> x, const std::array<std::size_t, 3>& three,
                                  const std::array<std::size_t, 2>& two) {
     const Point &o = x[three[0]], u = x[three[1]] - o, v = x[three[2]] - o, p = x[two[0]] - o, q = x[two[1]] - o,

@@ -25,7 +25,7 @@ double standard_width(const Facet_sites<d>& point, std::span<const Coordinates<d
     }
 }
 
-/// Mean of what is finite, and the share of displacements that are below.
+/// The mean of the finite values, and the share of displacements below them.
 struct Tolerances {
     double sum = 0;
     std::uint64_t finite = 0, inside = 0;

@@ -18,13 +18,13 @@ using Moving_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_
 template <int d>
 [[nodiscard]] Moving_of<d> paper_triangulation(std::span<const Coordinates<d>> x);
 
-/// What certificates and tolerances are at the positions of `dt`, a paper_triangulation, before points go to `next`.
-/// With `widths` their distribution too. O(n).
+/// Statistics of certificates and tolerances at the positions of `dt`, a paper_triangulation, before points move to
+/// `next`. With `widths` also their distribution. O(n).
 template <int d>
 [[nodiscard]] Certificate_survey_record survey(const Moving_of<d>& dt, std::span<const Coordinates<d>> next,
                                                double spacing, Width_record* widths = nullptr);
 
-/// Certified counts, and each unsound certificate's points for the listener. Some microseconds a bi-cell.
+/// Certified counts; passes the points of each unsound certificate to the listener. A few microseconds per bi-cell.
 template <int d>
 [[nodiscard]] Degeneracy_count_record count_degeneracy(const Moving_of<d>& dt,
                                                        const std::function<void(std::span<const Index>)>& unsound = {});

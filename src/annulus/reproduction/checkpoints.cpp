@@ -61,7 +61,7 @@ void Checkpoints::open_and_lock() {
                             " is there and holds no parts of a reproduction; take it away, or name another directory");
         fs::create_directories(directory_);
         head_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-        if (head_ < 0 && errno == ENOENT) continue;  // another one has just taken the directory away
+        if (head_ < 0 && errno == ENOENT) continue;  // another process has just removed the directory
         if (head_ < 0) throw std::system_error(errno, std::generic_category(), file.string());
         if (::flock(head_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             ::close(head_);
@@ -83,7 +83,7 @@ std::optional<Benchmark_record> Checkpoints::find(const std::string& name) const
     try {
         Benchmark_record benchmark = parse_race(*text);
         if (benchmark.name == name) return benchmark;
-    } catch (const Error&) {  // it is made again
+    } catch (const Error&) {  // the part is computed again
     }
     return std::nullopt;
 }

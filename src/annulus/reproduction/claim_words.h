@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-// How claims put numbers into words.
+// Numbers of claims as text.
 namespace annulus {
 
 [[nodiscard]] inline std::string percent(double share) {
@@ -45,7 +45,7 @@ namespace annulus {
     return x.empty() ? 0 : *std::max_element(x.begin(), x.end());
 }
 
-/// The races among these that were run.
+/// Those of these benchmarks that were run.
 [[nodiscard]] inline std::vector<const Benchmark_record*> present(const Reproduction& r,
                                                                   std::initializer_list<const char*> names) {
     std::vector<const Benchmark_record*> out;
@@ -59,7 +59,7 @@ namespace annulus {
 [[nodiscard]] inline std::vector<const Benchmark_record*> meshes(const Reproduction& r) {
     return present(r, {"nodt-sphere", "nodt-man", "nodt-bunny", "nodt-liver"});
 }
-/// A number of each.
+/// One number for each.
 template <class Value>
 [[nodiscard]] std::vector<double> of_each(const std::vector<const Benchmark_record*>& benchmarks, Value value) {
     std::vector<double> out;
@@ -77,7 +77,7 @@ template <class Value>
     }
     return out.empty() ? "–" : out;
 }
-/// One that is open.
+/// An open claim.
 [[nodiscard]] inline Claim claim(std::string figure, std::string statement, std::string paper) {
     return {std::move(figure), std::move(statement), std::move(paper), "", "", Claim_verdict::open, ""};
 }
@@ -92,17 +92,17 @@ template <class Value>
                range(of_each(benchmarks, [&](const auto& x) { return speed_up(x, slow, name); }), times);
     return out;
 }
-/// At which share of moves within tolerance the printed filter begins to pay; `claimed` is the paper's.
+/// The share of moves within tolerance from which on the paper's algorithm as printed pays; `claimed` is the paper's.
 [[nodiscard]] Claim switch_claim(const std::vector<const Benchmark_record*>& benchmarks, const char* figure,
                                  const char* where, double claimed);
-/// Why a filter is as fast as it is.
+/// Why the paper's algorithm is as fast as it is.
 [[nodiscard]] inline std::string few_fail(const std::vector<const Benchmark_record*>& benchmarks) {
     return "Of all moves " +
            range(of_each(benchmarks, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
            " failed, and only these are relocated.";
 }
 [[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }
-/// Reached to nine tenths is agreement, twice as much is further.
+/// At least nine tenths of the claim agrees, at least twice the claim is further.
 [[nodiscard]] inline Claim_verdict at_least(double value, double claimed) {
     return value >= 2 * claimed ? Claim_verdict::further : agree_if(value >= 0.9 * claimed);
 }

@@ -23,8 +23,8 @@ std::vector<Claim> claims_of(const Reproduction& reproduction) {
     append_mesh_speed_claims(reproduction, out);
     append_mesh_claims(reproduction, out);
     append_quality_claims(reproduction, out);
-    // Movers are random points at a pace of their own, for some steps; what the paper says of 1,000 iterations is not
-    // of them.
+    // Movers are random points with their own pace, for some steps; the paper's claims for 1,000 iterations do not
+    // concern them.
     const bool brief =
         std::any_of(reproduction.benchmarks.begin(), reproduction.benchmarks.end(),
                     [](const auto& entry) { return !entry.first.starts_with("movers-") && entry.second.steps < 1000; });

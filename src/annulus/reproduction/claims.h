@@ -8,28 +8,28 @@
 
 namespace annulus {
 
-/// What came of a claim. `further`: more than the paper says; `open`: it was not run, or too little of it.
+/// The verdict on a claim. `further`: more than the paper claims; `open`: it was not run, or not far enough.
 enum class Claim_verdict { agrees, further, differs, wrong, open };
 [[nodiscard]] std::string name_of(Claim_verdict verdict);
 
-/// One of the paper's results beside ours. Texts are plain.
+/// One of the paper's results compared with ours. Texts are plain.
 struct Claim {
-    std::string figure;     ///< the page with what it is about: "figure-7", "unsound"
+    std::string figure;     ///< the page of its subject: "figure-7", "unsound"
     std::string statement;  ///< in our words
     std::string paper;      ///< its number
     std::string theirs;     ///< ours, under the paper's algorithm as printed (Published_algorithm)
     std::string ours;       ///< ours, under our strategies and tolerances
     Claim_verdict verdict = Claim_verdict::open;  ///< of `theirs`
-    std::string reason;                           ///< for a difference, or what to know
-    bool of_long_runs = false;                    ///< it says nothing of fewer than 1,000 iterations
+    std::string reason;                           ///< of a difference, or a remark
+    bool of_long_runs = false;                    ///< whether it does not apply to fewer than 1,000 iterations
 };
 
-/// All of them, in the paper's order, whatever was run. A verdict follows from numbers by the rule that stands beside
-/// it in the code; none depends on a clock but those of speed.
+/// All claims, in the paper's order, whatever was run. A verdict follows from numbers by the rule next to it in the
+/// code; only verdicts on speed depend on a clock.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
 
-/// Its parts, appended: whether tolerances are right, what relocating costs, how stable tolerances are; Lloyd;
-/// meshes, how fast, their statistics, and what becomes of them.
+/// Its parts, which append claims: soundness of tolerances, the cost of relocation, stability of tolerances; Lloyd;
+/// meshes: speed, statistics and quality.
 void append_soundness_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_relocation_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_stability_claims(const Reproduction& reproduction, std::vector<Claim>& out);

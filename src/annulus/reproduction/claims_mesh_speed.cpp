@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Section 4.2 and the conclusion of the paper: how fast the filter is in 3D, and where it begins to pay.
+// Section 4.2 and the conclusion of the paper: the speed of the paper's algorithm in 3D, and where it begins to pay.
 namespace annulus {
 
 Claim switch_claim(const std::vector<const Benchmark_record*>& benchmarks, const char* figure, const char* where,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Section 4.2 of the paper: what tolerances and failures are along the optimisation of meshes.
+// Section 4.2 of the paper: tolerances and failures along the optimisation of meshes.
 namespace annulus {
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Section 4.2 of the paper: what becomes of meshes.
+// Section 4.2 of the paper: the quality of meshes.
 namespace annulus {
 
 namespace {
@@ -12,7 +12,8 @@ double resting(const Benchmark_record& benchmark) {
     return q ? share(static_cast<double>(q->locked), static_cast<double>(q->vertices)) : 0;
 }
 
-/// Whatever the figure shows: slivers, and the angle that a hundredth of the angles are below. The least one is noise.
+/// Measures for all figures: slivers, and the angle below which a hundredth of the angles are. The least angle is
+/// noise.
 void append_improvement(const Reproduction& r, std::vector<Claim>& out) {
     const auto space = meshes(r);
     Claim c = claim("figure-9", "Going from 100 to 1,000 iterations makes the mesh better.", "yes");

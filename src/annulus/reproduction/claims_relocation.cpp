@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Sections 1 and 3 of the paper: what relocating a vertex costs, and when it is worth while.
+// Sections 1 and 3 of the paper: the cost of relocating a vertex, and when it is worth while.
 namespace annulus {
 
 namespace {
@@ -20,7 +20,7 @@ double early_gain(const Benchmark_record& benchmark, const char* slow, const cha
     return speed_up_between(benchmark, slow, quick, 0, std::max<std::uint64_t>(1, benchmark.steps / 10));
 }
 
-/// The weaker version of 3.1, alone and under the filter.
+/// The weaker version of 3.1, alone and with tolerances.
 void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
     const auto plane = lloyds(r), space = meshes(r);
     Claim c = claim(
@@ -56,7 +56,7 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(f);
 }
 
-/// When only some move.
+/// When only some points move.
 void append_movers(const Reproduction& r, std::vector<Claim>& out) {
     Claim c =
         claim("movers", "When only a fraction of the points moves, rebuilding is not the best: relocating costs O(m).",
@@ -166,10 +166,11 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
             plane, [](const auto& benchmark) { return speed_up(benchmark, "paper-safe-region", "paper-printed"); });
         c.theirs = "with the test " + range(x, times) + " times as long in the plane";
         c.verdict = agree_if(least(x) >= 0.97);
-        c.reason = least(x) >= 0.97 ? "A vertex beyond its tolerance and within its safe region keeps its reference, "
-                                      "and is tested again at each further step."
-                                    : "It spares relocations, which are dear beside the test of some twelve circles; "
-                                      "tests in place spare more.";
+        c.reason = least(x) >= 0.97
+                       ? "A vertex beyond its tolerance and within its safe region keeps its reference, "
+                         "and is tested again at each further step."
+                       : "It spares relocations, which are expensive beside the test of some twelve circles; "
+                         "tests in place spare more.";
     }
     out.push_back(c);
     append_removal(r, out);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/claim_words.h>
 
-// Sections 2.2, 2.3 and 3.2 of the paper: whether tolerances are right.
+// Sections 2.2, 2.3 and 3.2 of the paper: soundness of tolerances.
 namespace annulus {
 
 namespace {
@@ -34,7 +34,7 @@ Audits audits_of(const Reproduction& r) {
     return a;
 }
 
-/// Over all runs, of the bi-cells that were looked at.
+/// Over the bi-cells that were examined, of all runs.
 struct Rounding {
     std::uint64_t bicells = 0, above = 0;
     double most = 0;

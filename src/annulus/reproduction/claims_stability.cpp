@@ -13,7 +13,7 @@ double last_theta(const Benchmark_record& r) {
     return r.degeneracies.empty() ? 0 : r.degeneracies.back().theta_hundredth;
 }
 
-/// Median errors against the middle of their bin, of those with enough bi-cells.
+/// Median errors by the middle of their bin, for bins with enough bi-cells.
 struct Errors {
     std::vector<double> theta, median;
 };
@@ -28,7 +28,7 @@ Errors errors_of(const std::vector<const Benchmark_record*>& benchmarks) {
             }
     return e;
 }
-/// Of least squares, both axes logarithmic; 0 where there are not two different thetas.
+/// The slope by least squares, both axes logarithmic; 0 without two different thetas.
 double slope(const Errors& e) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t k = 0; k < e.theta.size(); ++k) {
@@ -60,7 +60,7 @@ void append_growth(const std::vector<const Benchmark_record*>& benchmarks, const
         c.theirs = "the hundredth of theta grew in " + grouped(static_cast<std::uint64_t>(n)) + " of " +
                    grouped(benchmarks.size()) + " runs: " + listed(benchmarks, first_theta, readable) +
                    " at the start, " + listed(benchmarks, last_theta, readable) + " at the end";
-        c.ours = "the ladder of arithmetic does not depend on it";
+        c.ours = "the stages of arithmetic do not depend on it";
         c.verdict = agree_if(static_cast<std::size_t>(n) == benchmarks.size());
         if (c.verdict == Claim_verdict::differs)
             c.reason = "The motion keeps the surface of a body with thin features, and flat bi-cells along it.";

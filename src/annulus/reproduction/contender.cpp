@@ -13,8 +13,8 @@ namespace annulus {
 
 namespace {
 
-/// Seconds of CGAL's insertion of a range into an empty triangulation. That the points are made beforehand, and the
-/// object is destroyed afterwards, is not counted.
+/// Seconds of CGAL's insertion of a range into an empty triangulation. Making the points beforehand and destroying the
+/// object afterwards are not counted.
 template <int d>
 double range_insertion(std::span<const Coordinates<d>> x) {
     using Moving = Moving_of<d>;
@@ -42,7 +42,7 @@ void Contender<d>::build(std::span<const Coordinates<d>> points) {
     if (plan_.printed) printed_ = std::make_unique<Published_algorithm<d>>(points, *plan_.printed);
     else dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
     const double built = processor_seconds();
-    if (dt_) (void)dt_->recompute_tolerances();  // a second time, to know what it takes
+    if (dt_) (void)dt_->recompute_tolerances();  // a second time, to measure it
     else if (plan_.printed->tolerances) printed_->precompute();
     record_.first_seconds = built - begin;
     record_.precompute_seconds = processor_seconds() - built;
@@ -106,7 +106,7 @@ void Contender<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> be
     if (plan_.audit_every > 0 && step % plan_.audit_every == 0) audit(step);
 }
 
-/// The paper looks at 40 random vertices at each group of four iterations.
+/// The paper samples 40 random vertices at each group of four iterations.
 template <int d>
 void Contender<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
                                  std::span<const Coordinates<d>> target) {
@@ -127,8 +127,8 @@ void Contender<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates
     note(step, seconds + processor_seconds() - begin, report);
 }
 
-/// The tolerances of the sample are timed; that the triangulation with numbered vertices is built is not:
-/// a program that rebuilds has one.
+/// Times the tolerances of the sample, but not the construction of the triangulation with numbered vertices: a program
+/// that rebuilds has one.
 template <int d>
 bool Contender<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
     constexpr int sample = 40;

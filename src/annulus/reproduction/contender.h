@@ -14,33 +14,33 @@
 
 namespace annulus {
 
-/// How one strategy of a race follows the motion.
+/// How one strategy of a benchmark follows the motion.
 struct Contender_plan {
     enum class Kind {
         cgal,      ///< CGAL's insertion of a range: the paper's rebuilding
-        follower,  ///< a triangulation that goes all the way
-        copy,      ///< one that is built at the positions before each step that it follows: for what is slow
+        follower,  ///< a triangulation that follows all steps
+        copy,      ///< one that is built at the positions before each step that it follows: for slow strategies
         /// The paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then the
-        /// filter.
+        /// algorithm of 3.2.
         hybrid,
     };
     std::string name;
     Kind kind = Kind::follower;
     Options options{};
-    std::uint64_t every = 1;        ///< steps; others are not followed. 1 for followers
-    std::uint64_t audit_every = 0;  ///< steps; 0: at the end alone
-    /// One of the paper's algorithms as it prints them, in place of `options`.
+    std::uint64_t every = 1;        ///< every which step is followed; 1 for followers
+    std::uint64_t audit_every = 0;  ///< in steps; 0: only at the end
+    /// One of the paper's algorithms as printed, in place of `options`.
     std::optional<Published_variant> printed{};
 };
 
-/// One of them under way. Times are of one thread's processor; what a follower needs to be built is timed apart.
+/// One contender in a run. Times are processor times of one thread; the construction of a follower is timed separately.
 template <int d>
 class Contender {
   public:
     Contender(Contender_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed);
     /// Step number `step`, from 1: every point from `before` to `target`.
     void follow(std::uint64_t step, std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target);
-    /// The exact audit of the end, and the record.
+    /// Makes the exact audit at the end, and returns the record.
     [[nodiscard]] Contender_record finish();
 
   private:
@@ -58,7 +58,7 @@ class Contender {
     Contender_record record_;
     std::unique_ptr<Moving_of<d>> dt_;
     std::unique_ptr<Published_algorithm<d>> printed_;
-    std::vector<std::uint64_t> streak_, last_failure_;  // by vertex: how often in a row, and the last step of these
+    std::vector<std::uint64_t> streak_, last_failure_;  // by vertex: consecutive failures, and the last step with one
     std::mt19937_64 random_;
     std::uint64_t last_audit_ = 0;
 };

@@ -9,9 +9,9 @@
 
 namespace annulus {
 
-/// Whether p, where vertex v of the bi-cell goes, is on the side of the standard delimiter that v has to keep (paper
-/// 2.3): inside for a vertex of the facet, outside for an opposite one; beside the middle line of a slab. The
-/// delimiter is that of the positions x. Plain double.
+/// Whether p, the new position of vertex v of the bi-cell, is on the side of the standard delimiter where v must stay
+/// (paper 2.3): inside for a vertex of the facet, outside for an opposite one; for a slab on its side of the middle
+/// line. The delimiter is that of the positions x. Plain double.
 [[nodiscard]] inline bool keeps_its_side(const Facet_certificate<2>& f, std::span<const Coordinates<2>> x, Index v,
                                          const Coordinates<2>& p) {
     const auto place = [&](std::size_t k) -> const Coordinates<2>& {
@@ -33,7 +33,7 @@ namespace annulus {
                  k1 = 0.5 * ((qx * qx + qy * qy) - (px * px + py * py)), det = bx * ey - by * ex;
     const double cx = (k0 * ey - k1 * by) / det, cy = (bx * k1 - ex * k0) / det;
     const double radius = 0.5 * (std::hypot(cx, cy) + std::hypot(px - cx, py - cy)), way = std::hypot(ax - cx, ay - cy);
-    return slot < 2 ? way < radius : way > radius;  // neither where there is no centre
+    return slot < 2 ? way < radius : way > radius;  // false where there is no centre
 }
 
 }  // namespace annulus

@@ -81,7 +81,7 @@ Plot width_plot(const Benchmark_record& benchmark) {
         for (const double y : s.y) highest = std::max(highest, y);
         plot.series.push_back(std::move(s));
     }
-    if (highest > 0) plot.y.upper = 1.5 * highest;  // names stand above the peaks
+    if (highest > 0) plot.y.upper = 1.5 * highest;  // names are above the peaks
     return plot;
 }
 

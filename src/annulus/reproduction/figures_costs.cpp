@@ -14,7 +14,7 @@ std::string name_of_curve(const Benchmark_record& benchmark) {
     return benchmark.name.substr(benchmark.name.find('-') + 1);
 }
 
-/// Means over a thirtieth of a decade, so that curves can be read.
+/// Means over a thirtieth of a decade, which make curves readable.
 template <class Value>
 Series smoothed(std::string name, const Contender_record& r, Value value) {
     Series s{std::move(name), {}, {}};
@@ -60,7 +60,7 @@ Plot update_plot(const std::vector<const Benchmark_record*>& benchmarks, const c
     return plot;
 }
 
-/// How much faster than rebuilding, cumulated.
+/// The cumulative speed-up over rebuilding.
 Plot speed_plot(std::string title, const std::vector<const Benchmark_record*>& benchmarks, const char* contender,
                 bool relocation) {
     Plot plot{std::move(title),
@@ -93,7 +93,7 @@ Plot relocation_plot(const std::vector<const Benchmark_record*>& benchmarks) {
     return plot;
 }
 
-/// Rebuilds that a time step costs, by the share of points that move.
+/// The cost of a time step in rebuilds, by the share of points that move.
 Plot movers_plot(const Reproduction& r, const char* where) {
     Plot plot{std::string("Random points, ") + where,
               {"points that move (%)", Scale::log10, {}, {}, true},

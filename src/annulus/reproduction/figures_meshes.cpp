@@ -2,7 +2,7 @@
 #include <annulus/reproduction/claim_words.h>
 #include <annulus/reproduction/figures.h>
 
-// Figures 8 to 10, slivers and locks: what becomes of meshes.
+// Figures 8 to 10, slivers and locks: the quality of meshes.
 namespace annulus {
 
 namespace {

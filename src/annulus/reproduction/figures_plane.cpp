@@ -25,7 +25,7 @@ void append_pictures(const Benchmark_record& benchmark, const std::string& csv, 
     }
 }
 
-/// Curves for people: what each of them is.
+/// Names of curves for display.
 constexpr std::pair<const char*, const char*> curves[] = {
     {"rebuild", "rebuilding"},           {"relocate", "relocation"},
     {"paper-printed", "paper's filter"}, {"paper-in-place", "with tests in place"},

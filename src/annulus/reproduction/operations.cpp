@@ -20,7 +20,7 @@ Operation_record time_operations(const Moving_of<d>& dt) {
     for (std::size_t k = 0; k < all.size(); k += 10) {
         taken.push_back(all[k]);
         points.push_back(all[k]->point());
-        // A neighbour that stays.
+        // A neighbour that is not removed.
         typename Pieces::Vertex stays = all[k + 1 < all.size() ? k + 1 : k - 1];
         const auto c = Pieces::cell_of(all[k]);
         for (int i = 0; i <= d; ++i)

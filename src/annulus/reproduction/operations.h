@@ -5,9 +5,9 @@
 
 namespace annulus {
 
-/// What CGAL takes to remove a vertex and to insert one where a neighbour is known, means over a tenth of the
-/// vertices, which are taken out one after another and then put back; the rest is never far from what it was. Of one
-/// thread's processor.
+/// The time that CGAL needs to remove a vertex and to insert one where a neighbour is known: means over a tenth of the
+/// vertices, which are removed one after another and then inserted again, so that the triangulation is always similar
+/// to the original. Processor time of one thread.
 template <int d>
 [[nodiscard]] Operation_record time_operations(const Moving_of<d>& dt);
 

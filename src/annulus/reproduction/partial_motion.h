@@ -9,8 +9,8 @@
 
 namespace annulus {
 
-/// Uniform random points of the unit square or cube, of which a share goes at each step, drawn again: each in a
-/// direction of its own by `pace` mean spacings. The others stay where they are.
+/// Uniform random points of the unit square or cube. At each step a newly drawn share of them moves, each in its own
+/// direction by `pace` mean spacings; the others stay.
 template <int d>
 class Partial_motion_scene final : public Scene<d> {
   public:

@@ -22,14 +22,14 @@ Contender_plan printed(const char* name, const Published_variant& choice, std::u
     return {name, kind, {}, every, audit_every, choice};
 }
 
-/// The paper's algorithm as it prints it, and with its weaker version of relocation.
+/// The paper's algorithm as printed, and with its weaker version of relocation.
 std::vector<Contender_plan> paper_racers(std::uint64_t audit_every) {
     return {printed("paper-printed", {}, audit_every), printed("paper-in-place", {.in_place = true}, 0),
             printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
 }
 
-/// What all are compared with, the paper's algorithms, and ours. `cgal_every`, `copy_every`: what is timed at
-/// some steps only.
+/// The baseline, the paper's algorithms, and ours. `cgal_every`, `copy_every`: contenders that are timed only at some
+/// steps.
 std::vector<Contender_plan> contenders(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
     std::vector<Contender_plan> out{
         {"rebuild", Kind::cgal, {}, cgal_every, 0},
@@ -44,7 +44,7 @@ std::vector<Contender_plan> contenders(std::uint64_t cgal_every, std::uint64_t c
     return out;
 }
 
-/// 1, 2, 3 .., then eight a decade.
+/// 1, 2, 3 .., then eight per decade.
 std::set<std::uint64_t> spread(std::uint64_t steps) {
     std::set<std::uint64_t> out{steps, steps + 1};
     for (double x = 1; x <= static_cast<double>(steps); x *= std::pow(10.0, 0.125))
@@ -69,7 +69,7 @@ std::uint64_t steps_of(const Reproduction_size& size, std::uint64_t quick) {
     return size.iterations > 0 ? size.iterations : size.quick ? quick : 1000;
 }
 
-/// At most every `every`-th, and ten times at least.
+/// At most every `every`-th step, but at least ten times.
 std::uint64_t sampled(std::uint64_t steps, std::uint64_t every) {
     return std::max<std::uint64_t>(1, std::min(every, steps / 10));
 }
@@ -111,7 +111,7 @@ struct Body {
     bool crossing;
     std::uint64_t vertices, quick;
 };
-/// In place of the paper's heart, an organ that is publicly available: CGAL's liver.
+/// A publicly available organ in place of the paper's heart: CGAL's liver.
 constexpr Body bodies[] = {{"sphere", "sphere", "", false, 13'000, 1500},
                            {"man", "man", "man.off", true, 8000, 1000},
                            {"bunny", "bunny", "bunny00.off", false, 13'000, 1500},
@@ -149,8 +149,8 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
     }
 }
 
-/// Motions that are not timed: what the mesh becomes. Of the sphere, which is cheap to sample, several: other first
-/// meshes, other locks.
+/// Motions that are not timed, for the quality of the mesh. Several of the sphere, which is cheap to sample: other
+/// first meshes, other locks.
 void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const Body& b : bodies) {
         const std::string name = b.name;
@@ -163,7 +163,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
                                 (draw > 0 ? ", first mesh " + std::to_string(draw + 1) : "");
             p.motion.graded = true;
             p.motion.draw = draw;
-            if (!sphere)  // a ball is cheaper to ask how deep a vertex lies
+            if (!sphere)  // the depth of a vertex is cheaper to compute in a ball
                 p.motion.vertices = std::min<std::uint64_t>(p.motion.vertices, 4000);
             out.push_back(p);
         }
@@ -178,7 +178,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
     }
 }
 
-/// Uniform points of which some go a twentieth of a spacing at a time: most of these leave their tolerance.
+/// Uniform points of which some move by a twentieth of a spacing at a time: most of these leave their tolerance.
 template <int d>
 void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const int percent : {1, 10, 100}) {

@@ -109,7 +109,7 @@ class Published_algorithm<d>::Work {
         return v;
     }
     [[nodiscard]] static Cell_sites<d> corners(Cell c) { return sites_of<d>(vertices(c)); }
-    /// Of the facet opposite to vertex i of c. A border's slab is that of its finite cell.
+    /// The tolerance of the facet opposite to vertex i of c. The slab of a border facet is that of its finite cell.
     [[nodiscard]] Facet_certificate<d> certificate(Cell c, int i) const {
         Cell n = c->neighbor(i);
         int j = tr_.mirror_index(c, i);
@@ -134,13 +134,14 @@ class Published_algorithm<d>::Work {
         for (const Cell c : fresh_) c->set_cell(stamp_);
         for (const Cell c : fresh_) {
             if (c->cell() != stamp_) continue;
-            c->set_cell(-stamp_);  // those that come twice in the list, and facets seen from their other side
+            c->set_cell(-stamp_);  // skips duplicates in the list, and facets seen from their other side
             for (int i = 0; i <= d; ++i)
                 if (c->neighbor(i)->cell() != -stamp_ && !visit(c, i)) return;
         }
     }
 
-    /// Each new bi-cell lowers the tolerance of its points, and who no longer stays within it enters the queue.
+    /// Each new bi-cell lowers the tolerance of its points; a point that is no longer within its tolerance enters the
+    /// queue.
     void evaluate() {
         const std::size_t first = queue_.size();
         for_each_fresh_facet([&](Cell c, int i) {
@@ -194,7 +195,7 @@ class Published_algorithm<d>::Work {
         Pieces::append_star(tr_, made, fresh_);
     }
 
-    /// Writes the new position where no certificate around the vertex fails there.
+    /// Writes the new position if no certificate around the vertex fails there.
     [[nodiscard]] bool stays_in_place(Index h) {
         const Vertex v = handle_[at(h)];
         const auto home = v->point();
@@ -215,7 +216,7 @@ class Published_algorithm<d>::Work {
         return holds;
     }
 
-    /// The moving position is on its side of every delimiter of the fixed ones.
+    /// Whether the moving position is on its side of every delimiter of the fixed positions.
     [[nodiscard]] bool stays_in_safe_region(Index h) {
         fresh_.clear();
         Pieces::append_star(tr_, handle_[at(h)], fresh_);
@@ -235,7 +236,7 @@ class Published_algorithm<d>::Work {
     std::vector<char> queued_;
     std::vector<Index> queue_, failed_;
     std::vector<Cell> fresh_;
-    Index stamp_ = 9;  // of no cell that CGAL makes, nor is its negative
+    Index stamp_ = 9;  // neither this nor its negative is a value that CGAL gives a cell
     Move_report report_;
 };
 

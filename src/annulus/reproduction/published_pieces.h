@@ -11,7 +11,7 @@
 
 namespace annulus {
 
-/// What the paper's algorithms ask of CGAL's triangulation, under one name in 2D and in 3D.
+/// The operations of CGAL's triangulation that the paper's algorithms need, with the same names in 2D and 3D.
 template <int d>
 struct Published_pieces;
 
@@ -34,11 +34,11 @@ struct Published_pieces<2> {
         return tr.is_infinite(c) || CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(),
                                                       c->vertex(2)->point()) == CGAL::LEFT_TURN;
     }
-    /// Of a cell that may be infinite; cocircular points are told apart as CGAL does.
+    /// For a cell that may be infinite; cocircular points are perturbed as in CGAL.
     static bool sphere_holds(const Triangulation& tr, Cell c, Vertex v) {
         return tr.side_of_oriented_circle(c, v->point(), true) == CGAL::ON_POSITIVE_SIDE;
     }
-    /// Takes v out; appends the cells that fill its star.
+    /// Removes v; appends the cells that fill its star.
     static void remove(Triangulation& tr, Vertex v, std::vector<Cell>& out) {
         std::vector<std::pair<Cell, int>> border;
         auto c = tr.incident_faces(v);
@@ -48,7 +48,7 @@ struct Published_pieces<2> {
             border.emplace_back(c->neighbor(i), tr.mirror_index(c, i));
         } while (++c != end);
         tr.remove(v);
-        // They are a triangulated polygon: each is reached from its border or from one that is.
+        // They form a triangulated polygon: each is reached from its border or from another one of them.
         const std::size_t first = out.size();
         const auto enter = [&](Cell f) {
             for (const auto& b : border)

@@ -25,7 +25,7 @@ double mean_between(const Contender_record& r, std::uint64_t from, std::uint64_t
 
 double ratio(double a, double b) { return b > 0 ? a / b : 0; }
 
-/// Sum of one count over a tenth of the steps up to `step`, over another's.
+/// The sum of one count over a tenth of the steps up to `step`, divided by that of another.
 double recent(const Benchmark_record& benchmark, const std::string& name, std::uint64_t step,
               std::vector<std::uint64_t> Contender_record::*part, std::vector<std::uint64_t> Contender_record::*all) {
     const Contender_record* r = contender_of(benchmark, name);

@@ -31,7 +31,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Benchmark_record, name, title, dimension, ver
 
 namespace {
 
-/// Readers of a record take its lists to be of one length.
+/// Readers of a record rely on lists of equal length.
 bool is_sound(const Benchmark_record& benchmark) {
     for (const Contender_record& r : benchmark.contenders)
         for (const std::size_t n : {r.seconds.size(), r.asked.size(), r.failed.size(), r.requeued.size(),

@@ -14,7 +14,7 @@ namespace annulus {
 
 namespace {
 
-/// Two bins a decade, the last one up to a right angle.
+/// Two bins per decade, the last one up to a right angle.
 std::vector<double> theta_edges() {
     std::vector<double> edges{0};
     for (int k = -8; k <= 0; ++k) edges.push_back(std::pow(10.0, 0.5 * k));
@@ -37,7 +37,7 @@ Stability_record measure_stability(const Moving_of<d>& dt) {
         put_in_order(f);
         const auto points = tuple<d, d + 2>(f.point, x);
         const double plain = standard_half_width(points),
-                     exact = enclose_exactly(points).standard.lower;  // the largest double that is not above
+                     exact = enclose_exactly(points).standard.lower;  // the largest double not above the truth
         ++r.bicells;
         r.above += plain > exact ? 1U : 0U;
         std::array<Coordinates<d>, static_cast<std::size_t>(d) + 2> y;

@@ -5,9 +5,9 @@
 
 namespace annulus {
 
-/// How far the paper's half widths in plain double are from the exact ones, for every finite bi-cell of `dt`, a
-/// paper_triangulation: exact integers say so. The paper expects their stability to be proportional to theta. Some
-/// microseconds a bi-cell.
+/// The errors of the paper's half widths in plain double for every finite bi-cell of `dt`, a paper_triangulation,
+/// computed with exact integers. The paper expects their stability to be proportional to theta. A few microseconds per
+/// bi-cell.
 template <int d>
 [[nodiscard]] Stability_record measure_stability(const Moving_of<d>& dt);
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-// The paper's numbers of a bi-cell, in plain double as the paper has them: nothing is certified.
+// The paper's numbers of a bi-cell, in plain double as in the paper: nothing is certified.
 namespace annulus {
 
 /// Half the width of the standard annulus, ab | pq and abc | pq; 0 where the circle or sphere is not empty.
@@ -20,8 +20,8 @@ namespace annulus {
 }
 [[nodiscard]] inline double standard_half_width(const Tuple<3, 5>& x) { return paper_annulus(x); }
 
-/// The points of a facet's annulus or slab in the one order that does not depend on which of its cells was looked at,
-/// nor on the order of their corners.
+/// The points of a facet's annulus or slab in an order that depends neither on the side from which the facet is seen
+/// nor on the order of corners.
 inline void put_in_order(Facet_certificate<2>& f) {
     auto& x = f.point;
     if (f.kind == Facet_kind::empty_sphere && x[3] < x[2]) {
@@ -43,7 +43,7 @@ inline void put_in_order(Facet_certificate<3>& f) {
     std::rotate(x.begin(), std::min_element(x.begin(), x.begin() + 3), x.begin() + 3);
 }
 
-/// The tolerance that a facet gives its points (paper 2.2): half the width of its annulus, or of its slab.
+/// The tolerance of a facet's points by its certificate (paper 2.2): half the width of its annulus, or of its slab.
 template <int d>
 [[nodiscard]] double paper_half_width(const Facet_certificate<d>& f, std::span<const Coordinates<d>> x) {
     if (f.kind == Facet_kind::empty_sphere) return standard_half_width(tuple<d, d + 2>(f.point, x));

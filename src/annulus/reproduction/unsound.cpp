@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// Where the paper's tolerance is too large: five points, and every run.
+// Cases in which the paper's tolerance is too large: five points, and every run.
 namespace annulus {
 
 namespace {
@@ -55,7 +55,7 @@ Plot share_plot(const Reproduction& r, const char* title, std::uint64_t Degenera
     return plot;
 }
 
-/// Median relative error of plain double by theta, of all runs in one dimension at the start.
+/// Median relative error of plain double by theta, of all runs of one dimension at the start.
 Plot stability_plot(const Reproduction& r, int dimension) {
     Plot plot{dimension == 2 ? "Rounding, plane" : "Rounding, space",
               {"theta (radians)", Scale::log10, {}, {}, true},

@@ -9,17 +9,17 @@
 
 namespace annulus {
 
-/// R^d: what is asked of the space that the points are in.
+/// R^d: what the library needs of the space that the points are in.
 template <int d>
 struct Euclidean {
     static_assert(d == 2 || d == 3);
     using Site = Site_of<No_label>;
     static_assert(sizeof(Site) == sizeof(Index));
 
-    /// p - q, of two places: certificates, kernel, engine and statistics take differences from here. A place is
-    /// whatever gives a coordinate for [c], of any type that `minus` takes: doubles, lanes of them, integers.
-    /// Elsewhere stand how far one vertex moved, the audit, which shares no code with what it judges, and
-    /// cached_spheres.cpp, in lanes of one vertex.
+    /// p - q for two places: certificates, kernel, engine and statistics take differences from here. A place is any
+    /// type whose [c] gives a coordinate, of any type that `minus` accepts: doubles, lanes of them, integers. Three
+    /// kinds of differences are computed elsewhere: how far one vertex moved; those of the audit, which shares no code
+    /// with what it checks; and those of cached_spheres.cpp, in lanes of one vertex.
     template <class P, class Minus = std::minus<>>
     [[nodiscard]] static constexpr auto difference(const P& p, const P& q, Minus minus = {}) {
         using T = std::decay_t<decltype(minus(p[0], q[0]))>;

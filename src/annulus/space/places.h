@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <functional>
 
-// Where the points of a certificate are. All that looks behind these pointers is in this file.
+// The positions of the points of a certificate. Only this file looks behind these pointers.
 namespace annulus {
 
-/// Pointers to the places of the points of one certificate.
+/// Pointers to the positions of the points of one certificate.
 template <int d, int k>
 using Tuple = std::array<const Coordinates<d>*, static_cast<std::size_t>(k)>;
 
@@ -21,7 +21,7 @@ template <std::size_t d, std::size_t k>
     return (*x[i])[c];
 }
 
-/// The coordinates of all of them, point by point.
+/// The coordinates of all points, point by point.
 template <std::size_t d, std::size_t k>
 [[nodiscard]] std::array<double, d * k> coordinates(const std::array<const std::array<double, d>*, k>& x) {
     std::array<double, d * k> all{};
@@ -43,7 +43,7 @@ template <std::size_t d, std::size_t k>
     return *x[i] < *x[j];
 }
 
-/// Points of space as they are seen along an axis.
+/// Points in 3D as they appear along an axis.
 template <std::size_t k>
 [[nodiscard]] std::array<Coordinates<2>, k> seen_along(std::size_t axis,
                                                        const std::array<const Coordinates<3>*, k>& x) {

@@ -7,8 +7,8 @@
 
 namespace annulus {
 
-/// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Corners are told from one another
-/// by their sites. A vertex does not become a site unless it is said, since that names no image.
+/// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Sites tell corners apart. The
+/// conversion from a vertex is explicit, since a vertex alone names no image.
 template <class Label>
 struct Site_of {
     Index vertex;
@@ -19,7 +19,7 @@ struct Site_of {
     friend constexpr auto operator<=>(const Site_of&, const Site_of&) = default;
 };
 
-/// Where a vertex has one image.
+/// The label where every vertex has one image.
 struct No_label {
     friend constexpr auto operator<=>(No_label, No_label) = default;
 };

@@ -15,13 +15,13 @@
 
 namespace annulus {
 
-/// A half width against thresholds: bit k for threshold k.
+/// A half width compared with thresholds: bit k for threshold k.
 struct Below_thresholds {
-    std::uint32_t width = 0;      ///< twice the half width is below it
-    std::uint32_t tolerance = 0;  ///< the half width itself is
-    bool with_integers = false;   ///< they were needed, or had been
+    std::uint32_t width = 0;      ///< twice the half width is below the threshold
+    std::uint32_t tolerance = 0;  ///< the half width itself is below it
+    bool with_integers = false;   ///< whether integers were needed, here or before
 
-    /// Refines h by exactly() where it does not tell. Without `tolerances` these bits stay 0.
+    /// Replaces h by exactly() where its enclosure does not decide. Without `tolerances` these bits stay 0.
     template <class Exactly>
     Below_thresholds(Half_width& h, std::span<const Threshold> thresholds, bool tolerances, const Exactly& exactly)
         : with_integers(h.stage == Stage::exact) {
@@ -40,18 +40,18 @@ struct Below_thresholds {
     }
 };
 
-/// Some certificates of one kind, and what is found of each by itself. T is the tuple of their points.
+/// Some certificates of one kind, and the results for each. T is the tuple of their points.
 template <int d, class Id, class T>
 struct Certificate_batch {
     using Vertices = std::array<Index, static_cast<std::size_t>(d) + 2>;
     std::vector<Id> id{};
-    std::vector<Vertices> point{};  ///< the last one none where there are only d + 1
+    std::vector<Vertices> point{};  ///< the last is `none` where there are only d + 1
     std::vector<T> tuple{};
     // Found:
-    std::vector<Certificate_value> verdict{};  ///< the filtered predicate's, as a run has it
-    Stage_counts arithmetic{};                 ///< that gave these
-    std::vector<Half_width> half{};            ///< the least
-    std::vector<Below_thresholds> below{};     ///< it
+    std::vector<Certificate_value> verdict{};  ///< of the filtered predicate, as in a run
+    Stage_counts arithmetic{};                 ///< of the values
+    std::vector<Half_width> half{};            ///< the least one
+    std::vector<Below_thresholds> below{};     ///< the least one compared
 
     template <std::size_t k>
     void append(Id named, const std::array<Site<d>, k>& v, std::span<const Coordinates<d>> x) {

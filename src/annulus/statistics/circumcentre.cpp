@@ -14,9 +14,9 @@ namespace annulus {
 namespace {
 
 constexpr double u = 0x1p-53;
-/// Whatever underflows in a unit in which nothing is above 2 changes no term by this much.
+/// In a unit in which no value is above 2, underflow changes each term by less than this.
 constexpr double lost = 0x1p-1000;
-/// Errors that are above this many shortest edges are not good enough.
+/// Errors above this many shortest edges are not good enough.
 constexpr double wanted = 0x1p-40;
 
 template <std::size_t n>
@@ -26,7 +26,7 @@ double absolute_sum(const std::array<double, n>& x) {
     return sum;
 }
 
-/// What the terms of a numerator, all coordinates together, and of the denominator add up to without their signs.
+/// The sums of absolute values of the terms of the numerator, over all coordinates, and of the denominator.
 struct Magnitudes {
     double numerator = 0, denominator = 0;
 };
@@ -63,7 +63,7 @@ Circumcentre_3<T> terms(const std::array<std::array<T, 3>, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// numerator / denominator * 2^exponent, two roundings off at most (one to 64 bits, one to a double), where nothing
+/// numerator / denominator * 2^exponent with two roundings at most (one to 64 bits, one to a double), where nothing
 /// underflows.
 double quotient(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
     if (sgn(numerator) == 0) return 0;

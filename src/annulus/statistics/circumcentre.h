@@ -7,11 +7,11 @@
 
 namespace annulus {
 
-/// Where the centre of a cell's circumscribed circle or sphere is, seen from the first vertex of the cell.
+/// The centre of a cell's circumscribed circle or sphere, relative to the first vertex of the cell.
 template <int d>
 struct Circumcentre {
     Coordinates<d> offset{};
-    double error = 0;  ///< the sum of |offset - truth| over the coordinates is not above this
+    double error = 0;  ///< an upper bound of the sum of |offset - truth| over the coordinates
 };
 
 /// Corners of a cell, positively oriented.
@@ -31,8 +31,8 @@ template <int d>
 extern template Circumcentre<2> circumcentre(const Corners<2>&, double);
 extern template Circumcentre<3> circumcentre(const Corners<3>&, double);
 
-/// The circumcentre is numerator / (2 * denominator), seen from the corner that the others are given relative to. One
-/// formula for doubles and for integers; numerator and denominator both change sign with the orientation.
+/// The circumcentre is numerator / (2 * denominator), relative to the corner from which the others are given. The same
+/// formula serves doubles and integers; numerator and denominator both change sign with the orientation.
 template <class T>
 struct Circumcentre_2 {
     std::array<T, 2> numerator;

@@ -15,7 +15,7 @@ namespace annulus {
 namespace {
 
 using Point = Coordinates<3>;
-/// a and b on the axis, p, q, r around them.
+/// a and b on the axis; p, q and r around them.
 struct Five_points {
     Point a, b, p, q, r;
 };

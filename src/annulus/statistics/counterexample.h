@@ -5,11 +5,11 @@
 
 namespace annulus {
 
-/// Five points of space at which the paper's tolerance is too large (docs/theory.md 3), moved by less than it: a and
-/// b on the axis, inside the unit sphere by delta, p, q and r around them at 120 degrees.
+/// Five points in 3D at which the paper's tolerance is too large (docs/theory.md 3), moved by less than it: a and b on
+/// the axis, inside the unit sphere by delta; p, q and r around them at 120 degrees.
 struct Counterexample {
     double delta;
-    double move;       ///< 0.7 delta, as asked for: a and b outward, p, q and r inward
+    double move;       ///< 0.7 delta, as requested: a and b outward, p, q and r inward
     double displaced;  ///< an upper bound of the largest displacement, rounding of the moved points included
     double paper;      ///< least half width of the standard annuli, plain double
     double theta;      ///< least theta of the facets
@@ -18,7 +18,7 @@ struct Counterexample {
     bool three_before, three_after, two_after;  ///< whether three cells around a b, or two at p q r, are Delaunay
 };
 
-/// Looks at the five points before and after the move, exactly. Throws Error(usage) unless 2^-40 <= delta <= 0.1.
+/// Tests the five points before and after the move, exactly. Throws Error(usage) unless 2^-40 <= delta <= 0.1.
 [[nodiscard]] Counterexample counterexample(double delta);
 
 }  // namespace annulus

@@ -20,10 +20,10 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// So many certificates at a time are found by one thread.
+/// The number of certificates that one thread evaluates at a time.
 constexpr std::size_t batch = 4096;
 
-/// Samples of one distribution on their way into it: all of them are kept only where quantiles are wanted.
+/// Collects the samples of one distribution; all of them are kept only where quantiles are needed.
 class Samples {
   public:
     explicit Samples(Distribution empty = {}) : distribution_(std::move(empty)) {}
@@ -42,7 +42,7 @@ class Samples {
 };
 Distribution angles() { return {Histogram::linear(0, std::numbers::pi / 2, 36)}; }
 
-/// One look at everything.
+/// One scan of all certificates.
 template <int d>
 class Degeneracy_scan {
   public:
@@ -66,7 +66,7 @@ class Degeneracy_scan {
         r_.vertices.below.resize(r_.thresholds.size());
     }
 
-    /// Batches are found by all threads and entered one after another.
+    /// Batches are evaluated by all threads and entered one after another.
     Degeneracy result() {
         for_each_in_order<Slot>(
             options_.threads, [this](Slot& slot) { return fill(slot); }, [this](Slot& slot) { find(slot); },
@@ -79,7 +79,7 @@ class Degeneracy_scan {
     enum class Kind : std::uint8_t { bicells, ridges, border, cells };
     using Facets = Simplex_batch<d, Corner_index>;
     using Cells = Simplex_batch<d, Cell_index>;
-    /// The batch of its kind is full, or the last.
+    /// Whether the batch of its kind is full or the last.
     struct Slot {
         Kind kind = Kind::bicells;
         Bicell_batch<d> bicells{};
@@ -87,7 +87,7 @@ class Degeneracy_scan {
         Cells cells{};
     };
 
-    /// The next one, none after the last: facets in their order, then cells.
+    /// The next batch, none after the last: facets in their order, then cells.
     bool fill(Slot& slot) {
         const auto give = [&slot](Kind kind, auto& from, auto& to) {
             slot.kind = kind;
@@ -117,7 +117,7 @@ class Degeneracy_scan {
         }
     }
 
-    /// What is about one batch alone; several threads at once.
+    /// The part that concerns one batch alone; run by several threads at once.
     void find(Slot& slot) const {
         switch (slot.kind) {
             case Kind::bicells: slot.bicells.find(r_.thresholds); break;

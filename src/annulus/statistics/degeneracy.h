@@ -17,31 +17,31 @@ namespace annulus {
 
 /// A width below which a certificate counts as nearly degenerate.
 struct Threshold {
-    std::string name;     ///< "1e-6", or "ulp" for what the doubles of the input resolve
+    std::string name;     ///< "1e-6", or "ulp" for the resolution of the input's doubles
     double width = 0;     ///< in the unit of the points; the counts are exact for this number
     double relative = 0;  ///< in mean spacings
 };
 
-/// Where samples lie. Certified numbers enter with their lower ends, which are within 2^-10 of the truth.
+/// The distribution of samples. Certified numbers enter with their lower ends, which are within 2^-10 of the truth.
 struct Distribution {
     static constexpr std::array<double, 10> probabilities{0, 0.001, 0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99, 1};
 
     Histogram histogram = Histogram::log10(1e-18, 1e4, 88);
-    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples, or where they are not wanted
+    std::vector<double> quantiles{};  ///< at `probabilities`; empty without samples, or where they are not requested
 };
 
-/// How many of some widths are 0 and nearly 0. Every count is certified: a width is a real number, compared exactly.
+/// How many widths are 0 or nearly 0. Every count is certified: a width is a real number, compared exactly.
 struct Width_counts {
     std::uint64_t total = 0;
     std::uint64_t zero = 0;            ///< exactly degenerate
-    std::vector<std::uint64_t> below;  ///< by threshold; those that are 0 included
+    std::vector<std::uint64_t> below;  ///< by threshold; including those that are 0
     Distribution width;                ///< in mean spacings
 };
 
 /// One kind of certificate.
 struct Certificate_counts {
     Width_counts least;                 ///< twice the distance to the nearest placement at which the certificate is 0
-    Stage_counts arithmetic;            ///< the stages that gave sign and tolerance, as in a run
+    Stage_counts arithmetic;            ///< the stages that decided sign and tolerance, as in a run
     std::uint64_t decided_exactly = 0;  ///< widths for which counting needed integers
 };
 
@@ -50,18 +50,18 @@ struct Vertex_counts {
     std::uint64_t total = 0;
     std::uint64_t zero = 0;
     std::vector<std::uint64_t> below;  ///< tolerance below the threshold, counted exactly
-    Distribution certified;            ///< tolerances in mean spacings, as a run begins with
+    Distribution certified;            ///< tolerances in mean spacings, as at the start of a run
     Distribution paper;                ///< least half width of the paper's annuli and slabs
 
     /// The paper's tolerance is greater than the distance to degeneracy of a certificate that contains the vertex.
     std::uint64_t paper_above_exact = 0;
-    /// There is such a certificate at every point of which the paper's tolerance is greater: its points may go to
-    /// where it fails and all stay within their tolerances.
+    /// At all points of some such certificate the paper's tolerance is greater: its points may move to where it fails
+    /// while all of them stay within their tolerances.
     std::uint64_t paper_unsound = 0;
     std::uint64_t unsound_certificates = 0;
-    /// The paper's tolerance over the least half width of the certificates that contain the vertex, ours: above 1 it
-    /// is no tolerance of that certificate. Both from lower ends, so good to 2^-9. Overflow where only the latter is
-    /// 0; where both are there is no sample.
+    /// The paper's tolerance divided by the least half width of our certificates that contain the vertex: above 1 it is
+    /// not a tolerance of that certificate. Both from lower ends, so accurate to 2^-9. Overflow where only the latter
+    /// is 0; no sample where both are 0.
     Histogram paper_ratio = Histogram::log10(1e-2, 1e6, 320);
 };
 
@@ -73,19 +73,19 @@ struct Degeneracy {
     std::vector<Threshold> thresholds;
 
     Certificate_counts bicells;  ///< finite ones: empty circles and spheres
-    Width_counts standard;       ///< in 3D: the paper's annulus of the same; in 2D it is the only one
+    Width_counts standard;       ///< in 3D: the paper's annulus of the same bi-cells; in 2D it is the only one
     Certificate_counts cells;    ///< finite ones
     Certificate_counts ridges;   ///< of the hull; in 2D its vertices
 
     std::uint64_t non_convex = 0;  ///< bi-cells with a reflex edge (in 2D: vertex), by exact signs
-    std::uint64_t flat = 0;        ///< others with four coplanar points (three collinear ones) at the facet
+    std::uint64_t flat = 0;        ///< other bi-cells with four coplanar points (2D: three collinear ones) at the facet
     Stage_counts convexity;        ///< stages of these signs
     Distribution theta;            ///< of bi-cells, in radians
 
     Vertex_counts vertices;
 };
 
-/// One certificate as it was found.
+/// One certificate with its results.
 template <int d>
 struct Raw_certificate {
     enum class Kind { bicell, cell, ridge };
@@ -96,7 +96,7 @@ struct Raw_certificate {
            width_upper =
                0;          ///< ends of an enclosure of its width (Certificate_counts::least), in the unit of the points
     double tolerance = 0;  ///< of each of its points, certified
-    Stage stage = Stage::filter;  ///< that gave sign and tolerance
+    Stage stage = Stage::filter;  ///< that decided sign and tolerance
     double theta = 0;             ///< of a bi-cell, in radians
 };
 
@@ -108,13 +108,13 @@ struct Degeneracy_options {
     static constexpr std::size_t most_thresholds = 30;
     /// Distributions have quantiles, for which all samples are kept until the end: eight bytes each.
     bool quantiles = true;
-    /// That work on it at once (TBB), 1 or more, else Error(usage). Nothing that is found depends on it, nor the
-    /// order in which `raw` is told.
+    /// The number that work at once (TBB), 1 or more, else Error(usage). Neither the results nor the order of the calls
+    /// of `raw` depend on it.
     int threads = 1;
-    /// Told of every certificate, where there is anybody: of one at a time, by any of the threads.
+    /// Called for every certificate, unless empty: for one at a time, by any of the threads.
     std::function<void(const Raw_certificate<d>&)> raw{};
-    /// Told of every unsound certificate (Vertex_counts), where there is anybody: its points as the predicates take
-    /// them.
+    /// Called for every unsound certificate (Vertex_counts), unless empty, with its points in the order of the
+    /// predicates.
     std::function<void(std::span<const Index>)> unsound{};
 };
 

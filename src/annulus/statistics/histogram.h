@@ -10,7 +10,7 @@
 
 namespace annulus {
 
-/// Counts of samples in bins, and their smallest and largest, in the unit of the samples.
+/// Counts of samples in bins, and the smallest and largest sample, in the unit of the samples.
 ///
 /// Bins are half open, [edge(i), edge(i+1)), but the last one, which is closed. Samples below and above
 /// are counted apart; NaN is no sample. A bin holds exactly the samples between the doubles that `edges()` shows.

@@ -21,7 +21,7 @@ std::uint64_t read_entry(const char* file, std::string_view name) noexcept {
     return kibibytes * 1024;
 }
 
-/// The number that a file is, else 0.
+/// The number that a file contains, else 0.
 std::uint64_t read_number(const char* file) noexcept {
     std::FILE* from = std::fopen(file, "re");
     if (from == nullptr) return 0;
@@ -45,7 +45,7 @@ std::uint64_t available_memory(const char* meminfo, const char* most, const char
     const std::uint64_t of_machine = read_entry(meminfo, "MemAvailable:");
     const std::uint64_t limit = read_number(most);
     const std::uint64_t taken = read_number(used);
-    if (limit == 0 || taken == 0) return of_machine;               // no limit (the word `max`), or none that is told
+    if (limit == 0 || taken == 0) return of_machine;               // no limit (the word `max`), or an unknown one
     const std::uint64_t left = limit > taken ? limit - taken : 1;  // 0 would mean that nothing is known
     return std::min(of_machine, left);
 }

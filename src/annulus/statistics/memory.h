@@ -7,11 +7,11 @@
 
 namespace annulus {
 
-/// The most memory of this process that was in RAM at a time, in bytes; 0 where the system does not say. Never
-/// throws; a few tens of microseconds.
+/// The peak of this process' resident memory, in bytes; 0 where the system does not say. Never throws; a few tens of
+/// microseconds.
 ///
-/// From /proc/self/status (Linux), because what getrusage says includes the process that started this one: 300 MB of
-/// a Python script where there is one of ours.
+/// From /proc/self/status (Linux), because getrusage includes the process that started this one: it says 300 MB under a
+/// Python script where this process has 1 MB.
 [[nodiscard]] std::uint64_t peak_resident_memory() noexcept;
 /// The same from a file of the form of /proc/self/status.
 [[nodiscard]] std::uint64_t peak_resident_memory(const char* status) noexcept;

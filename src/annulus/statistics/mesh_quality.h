@@ -16,7 +16,7 @@ struct Mesh_quality {
 
     Histogram dihedral = Histogram::linear(0, 180, 36);  ///< all six angles of every cell, in degrees
     std::uint64_t vertices = 0;                          ///< of these cells
-    std::uint64_t boundary = 0;                          ///< of these, on a facet of one of these cells alone
+    std::uint64_t boundary = 0;                          ///< of these, on a facet of only one of these cells
     std::uint64_t cells = 0;
     std::uint64_t slivers = 0;
 };

@@ -24,7 +24,7 @@ void Neighbour_changes<d>::edges_of(std::span<const Index> cells, Edges& edges) 
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-/// Those that others lack.
+/// The edges that are not in `others`.
 template <int d>
 void Neighbour_changes<d>::enter(const Edges& edges, const Edges& others, int sign) {
     auto other = others.begin();

@@ -18,10 +18,10 @@ struct Neighbour_change {
     friend bool operator==(const Neighbour_change&, const Neighbour_change&) = default;
 };
 
-/// Who became whose neighbour, from the cells that came and went (Move_report::changed and gone): an edge of those
-/// that went is an edge still if and only if one of those that came has it, since where some cells around an edge go
-/// and others stay, one that comes is beside one that stays. So nothing that did not change is looked at.
-/// In 2D a flip is one pair broken and one made, a T1 transition.
+/// Pairs of points that became neighbours or ceased to be, from the cells that were added and removed
+/// (Move_report::changed and gone). An edge of a removed cell still exists if and only if an added cell has it: where
+/// some cells around an edge are removed and others stay, an added cell is next to one that stays. So unchanged cells
+/// are not read. In 2D a flip is one pair broken and one made, a T1 transition.
 ///
 /// Between two calls of take() a pair that was made and broken again does not count. Points have ids, which outlive
 /// their indices.
@@ -30,10 +30,10 @@ class Neighbour_changes {
   public:
     /// From now on vertex v is the point of this id.
     void name(Index v, std::uint64_t id);
-    /// A call of the triangulation: d + 1 vertices a cell; those at infinity are to be there, those with `none` may.
-    /// O(k log k) for k cells.
+    /// Records one call of the triangulation: d + 1 vertices per cell. Infinite cells are required, cells with `none`
+    /// are allowed. O(k log k) for k cells.
     void note(std::span<const Index> came, std::span<const Index> gone);
-    /// What has changed since it was asked last, by ids.
+    /// The changes since the last call of take(), by ids.
     [[nodiscard]] std::vector<Neighbour_change> take();
 
   private:

@@ -18,11 +18,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// So many facets or cells at a time are one thread's.
+/// The number of facets or cells that one thread processes at a time.
 constexpr std::size_t run_length = 4096;
 constexpr std::size_t runs_of(std::size_t n) { return (n + run_length - 1) / run_length; }
 
-/// What several threads write: least values, which come out the same in any order, and marks.
+/// Written by several threads: least values, which do not depend on the order, and marks.
 void lower(double& least, double y) {
     const std::atomic_ref shared(least);
     double seen = shared.load(std::memory_order_relaxed);
@@ -38,7 +38,7 @@ Facet_certificate<d> certificate_of(const Corner_table<d>& t, Corner_index f) {
 
 }  // namespace
 
-/// Calls visit(run, facet) for each facet, by all threads; no run is two threads' at once.
+/// Calls visit(run, facet) for each facet, by all threads; each run is processed by one thread.
 template <int d>
 template <class Visit>
 void Paper_tolerance<d>::for_each_facet(const Visit& visit) const {
@@ -59,7 +59,7 @@ void Paper_tolerance<d>::for_each_finite_cell(const Visit& visit) const {
                  });
 }
 
-/// The paper's tolerance of every vertex from what is known of facets.
+/// Computes the paper's tolerance of every vertex from the numbers of facets.
 template <int d>
 void Paper_tolerance<d>::take_least() {
     least_.assign(vertices_, {infinity, infinity, Stage::interval});
@@ -105,8 +105,8 @@ std::size_t Paper_tolerance<d>::runs() const {
            runs_of(static_cast<std::size_t>(t_.cell_bound().value()));
 }
 
-/// Integers for what the enclosures leave open: the certificate, and the paper's numbers that may be the least of
-/// such a vertex.
+/// Computes with integers what the enclosures leave open: the certificate, and the paper's numbers that may be the
+/// least of such a vertex.
 template <int d>
 void Paper_tolerance<d>::refine(std::span<const Coordinates<d>> x) {
     std::vector<char> open(vertices_, 0);

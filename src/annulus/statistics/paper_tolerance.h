@@ -10,27 +10,27 @@
 
 namespace annulus {
 
-/// What became of the paper's tolerances.
+/// The result of the comparison with the paper's tolerances.
 struct Paper_verdict {
     std::vector<double> tolerance;   ///< by vertex, lower end
     std::vector<double> exact;       ///< by vertex, the least half width of our certificates that contain it, lower end
     std::uint64_t above_exact = 0;   ///< vertices whose tolerance is above the half width of a certificate they are in
-    std::uint64_t unsound = 0;       ///< vertices of the certificates below
-    std::uint64_t certificates = 0;  ///< whose half width is below the tolerances of all their points
-    /// Theirs, as the predicates take them: d + 2 of a bi-cell, d + 1 of a cell or a ridge.
+    std::uint64_t unsound = 0;       ///< vertices of the certificates counted next
+    std::uint64_t certificates = 0;  ///< those with a half width below the tolerances of all their points
+    /// Points of these certificates, in the order of the predicates: d + 2 of a bi-cell, d + 1 of a cell or a ridge.
     std::vector<std::vector<Index>> points;
 };
 
 /// Compares the paper's tolerances with the half widths of certificates, both enclosed.
 ///
-/// The paper's list: the standard annulus of every finite bi-cell, a slab for every border facet and every hull
-/// ridge; nothing of cells. A vertex has the least of those whose points it is among. Ours: annuli of bi-cells,
-/// cells, ridges; half their width is the least displacement that makes the certificate 0. What is counted is
-/// certain: a difference below one unit in the last place, as between equal numbers of two kinds, is not.
+/// The paper's list: the standard annulus of every finite bi-cell, a slab for every border facet and every hull ridge;
+/// nothing for cells. The tolerance of a vertex is the least of those whose points include it. Our list: annuli of
+/// bi-cells, cells, ridges; half their width is the least displacement that makes the certificate 0. Only certain
+/// differences are counted: one below a unit in the last place, as between equal numbers of two kinds, is not.
 template <int d>
 class Paper_tolerance {
   public:
-    /// `threads` compare; the result does not depend on it.
+    /// `threads`: how many compare; the result does not depend on it.
     Paper_tolerance(const Corner_table<d>& t, std::size_t vertices, int threads)
         : t_(t),
           paper_(t.facet_bound().offset()),
@@ -49,7 +49,8 @@ class Paper_tolerance {
     void note_paper(Corner_index f, const Half_width& h) { paper_[f] = h; }
     void note_cell(Cell_index c, const Half_width& h) { cell_[c] = h; }
 
-    /// After everything was noted. Asks for integers where the enclosures do not tell, and keeps what they say.
+    /// To be called after all numbers were noted. Computes with integers where the enclosures do not decide, and keeps
+    /// the results.
     [[nodiscard]] Paper_verdict verdict(std::span<const Coordinates<d>> x);
 
   private:
@@ -67,7 +68,7 @@ class Paper_tolerance {
     const Corner_table<d>& t_;
     By_corner<Half_width> paper_;  // of facets
     By_corner<Half_width> facet_;  // the certificate; none of a border facet
-    By_corner<char> own_;          // of a facet: its two numbers are one
+    By_corner<char> own_;          // of a facet: whether its two numbers are the same
     By_cell<Half_width> cell_;
     std::size_t vertices_;
     int threads_;

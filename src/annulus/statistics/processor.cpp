@@ -16,7 +16,7 @@ std::string trimmed(const std::string& s) {
     return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(blank) - first + 1);
 }
 
-/// Of each key of the text `key : value` the first value that is not empty.
+/// The first non-empty value of each key of the text `key : value`.
 std::map<std::string, std::string> entries_of(std::istream& text) {
     std::map<std::string, std::string> entries;
     for (std::string line; std::getline(text, line);) {

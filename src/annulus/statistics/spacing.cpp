@@ -17,7 +17,7 @@ double determinant(const std::array<double, 3>& u, const std::array<double, 3>& 
            u[2] * (v[0] * w[1] - v[1] * w[0]);
 }
 
-/// From the content of all cells in units of a power of two near its extent.
+/// Computed from the content of all cells in a unit that is a power of two near the extent of the points.
 template <int d>
 double spacing_of(const Corner_table<d>& t, std::span<const Coordinates<d>> x) {
     double extent = 0;

@@ -8,7 +8,7 @@
 namespace annulus {
 
 /// Root of the content of the hull per vertex, in the unit of the points: a unit for thresholds, computed in doubles.
-/// Precondition: there are cells, and x has the position of every vertex and nothing else. O(n).
+/// Precondition: there are cells, and x has the positions of all vertices and no others. O(n).
 [[nodiscard]] double mean_spacing(const Corner_table<2>& t, std::span<const Coordinates<2>> x);
 [[nodiscard]] double mean_spacing(const Corner_table<3>& t, std::span<const Coordinates<3>> x);
 

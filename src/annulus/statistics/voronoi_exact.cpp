@@ -45,8 +45,8 @@ class Exact_star {
     }
 
     [[nodiscard]] double volume() {
-        // Points of one magnitude need the first of these; a sum that is 0 for cells that are not Delaunay would need
-        // more than any.
+        // The first of these suffices for points of one magnitude; none would suffice for a sum that is 0, which cells
+        // that are not Delaunay can have.
         for (mp_bitcnt_t q = 16;; q = 2 * q + 48) {
             round_circumcentres(q);
             sum_terms();
@@ -82,7 +82,7 @@ class Exact_star {
             }
     }
 
-    /// The terms of voronoi_terms.h without their common factor. The origin is the vertex, a point of each edge.
+    /// The terms of voronoi_terms.h without their common factor. The origin is the vertex, which is on each edge.
     void sum_terms() {
         sum_ = 0;
         bound_ = 0;

@@ -8,8 +8,8 @@
 
 namespace annulus {
 
-/// For the cell to the left of a facet: its corners but the one opposite, counter-clockwise seen from outside (
-/// in 2D from p to q with the cell on the left).
+/// For the cell to the left of a facet: its corners except the opposite one, counter-clockwise seen from outside (in 2D
+/// from p to q with the cell on the left).
 template <int d>
 inline constexpr std::array<std::array<std::size_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>
     facet_of{};
@@ -22,10 +22,10 @@ inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_of<3>{{{1, 2, 3
 /// largest double in place of what is larger). `around` are the cells with corner v, ascending, all of them, and no
 /// facet at v is in the hull.
 ///
-/// Circumcentres are exact quotients of integers, rounded to q bits behind the point of these integers, everything
-/// after that is exact; and q grows until a bound of what was rounded away is small enough. Some 4 us a cell for
-/// coordinates of one magnitude; more, as multiplication of integers, where exponents are spread.
-/// Throws Error(bad_input) for a cell that is flat, and where a neighbour is not among `around`.
+/// Circumcentres are exact quotients of integers, rounded to q binary places. Everything after that is exact, and q
+/// grows until a bound of the rounding is small enough. About 4 us per cell for coordinates of one magnitude; more, as
+/// multiplication of integers, where exponents are spread. Throws Error(bad_input) for a cell that is flat, and where a
+/// neighbour is not among `around`.
 template <int d>
 [[nodiscard]] double exact_voronoi_volume(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells, Index v,
                                           std::span<const std::size_t> around);

@@ -16,7 +16,7 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
-/// A table as Voronoi_terms reads it: its finite cells in its order are those of mesh_cells().
+/// Adapts a table for Voronoi_terms: its finite cells in its order are those of mesh_cells().
 template <int d>
 struct Table_cells {
     const Corner_table<d>& table;
@@ -54,15 +54,15 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
         if (is_present(v))
             for (const double c : x[v]) largest = std::max(largest, std::fabs(c));
     const int exponent = largest == 0 ? 0 : std::ilogb(largest) + 1;
-    bool anew = x_.empty() || dirty_cells_.everything() || exponent != exponent_;
+    bool afresh = x_.empty() || dirty_cells_.everything() || exponent != exponent_;
     exponent_ = exponent;
     std::vector<Index> moved;
     try {
-        if (!anew) {
+        if (!afresh) {
             moved = note_moves(x);
-            anew = moved.size() > x.size() / 8;  // it concerns nearly all
+            afresh = moved.size() > x.size() / 8;  // nearly all are affected
         }
-        if (anew) {
+        if (afresh) {
             x_.assign(x.begin(), x.end());
             const std::vector<Cell_index> cells = all_cells();
             volume_.assign(x.size(), nowhere);
@@ -105,7 +105,7 @@ void Kept_voronoi_volumes<d>::note_flat(std::size_t bound) {
     for (std::size_t v = 0; v < bound; ++v) volume_[v] = is_present(v) ? unbounded : nowhere;
 }
 
-/// Vertices that are not where they were, or are new. Bits are compared: what is equal otherwise may be the other zero.
+/// Vertices that moved or are new. Compares bits, because -0 and 0 are equal otherwise.
 template <int d>
 std::vector<Index> Kept_voronoi_volumes<d>::note_moves(std::span<const Coordinates<d>> x) {
     std::vector<Index> moved;
@@ -142,8 +142,8 @@ std::vector<Cell_index> Kept_voronoi_volumes<d>::all_cells() const {
     return out;
 }
 
-/// Every cell with one of these corners, infinite ones too, ascending: from star to star while these are few, in one
-/// look at all cells otherwise.
+/// Every cell with one of these corners, infinite ones too, ascending: from star to star while these are few, otherwise
+/// in one pass over all cells.
 template <int d>
 std::vector<Cell_index> Kept_voronoi_volumes<d>::cells_around(std::span<const Index> vertices) const {
     std::vector<Cell_index> out;
@@ -196,8 +196,8 @@ void Kept_voronoi_volumes<d>::find_circumcentres(std::span<const Cell_index> cel
     }
 }
 
-/// Volumes of these vertices, around which there are these cells and perhaps others that are not asked for. What is
-/// added to other vertices' sums on the way is never looked at.
+/// Volumes of these vertices; `cells` are those around them and perhaps others. Terms added to sums of other vertices
+/// on the way are never read.
 template <int d>
 void Kept_voronoi_volumes<d>::add_up(std::span<const Index> vertices, std::span<const Cell_index> around) {
     const double unit = scale();

@@ -11,31 +11,28 @@
 
 namespace annulus {
 
-/// The Voronoi volumes of one mesh, brought up to date when they are asked for: what is recomputed is concerned by
-/// a vertex that moved or a cell that changed, and the result is, bit for bit, that of voronoi_volumes of the mesh's
-/// cells.
+/// The Voronoi volumes of one mesh, updated on request: only volumes that a moved vertex or a changed cell affects are
+/// recomputed, and the result is bit for bit that of voronoi_volumes of the mesh's cells.
 ///
-/// Why: a volume is a sum over the cells around its vertex in the order of their places in the table. Cells stay at
-/// their places while they last, and a table that is rebuilt says that everything changed. So the terms of a
-/// vertex whose cells and their corners are the same are the same, in the same order; and those of another are added
-/// up from the first to the last, by the loop that voronoi_volumes has, over all cells around it. A change of the
-/// unit, too, is everything.
+/// Reason: a volume is a sum over the cells around its vertex in the order of their indices in the table. A cell keeps
+/// its index while it exists, and a table that is rebuilt reports that everything changed. So a vertex whose cells and
+/// their corners have not changed has the same terms in the same order. For all other vertices the loop of
+/// voronoi_volumes adds up the terms of all cells around them. A change of the unit, too, recomputes everything.
 template <int d>
 class Kept_voronoi_volumes {
   public:
-    /// The mesh must outlive it, and has no other log. O(1).
+    /// The mesh must outlive it and must have no other set of dirty cells. O(1).
     explicit Kept_voronoi_volumes(Delaunay_mesh<d>& mesh);
     ~Kept_voronoi_volumes();
     Kept_voronoi_volumes(const Kept_voronoi_volumes&) = delete;
     Kept_voronoi_volumes& operator=(const Kept_voronoi_volumes&) = delete;
 
-    /// Volumes by vertex index, where positions are x, at which the cells of the mesh are positive; valid until the
-    /// next call. Infinity for a vertex that is alone. O(k log k) for k cells around those concerned, and one
-    /// comparison a vertex.
-    /// Throws as voronoi_volumes does, and bad_alloc where there are no cells because there was no memory for them;
-    /// then the next call computes all.
+    /// Volumes by vertex index for the positions x, at which the cells of the mesh are positive; valid until the next
+    /// call. Infinity for the only vertex of a mesh. O(k log k) for k cells around the affected vertices, plus one
+    /// comparison per vertex. Throws as voronoi_volumes does, and bad_alloc where there are no cells because there was
+    /// no memory for them; the next call then recomputes all volumes.
     std::span<const double> update(std::span<const Coordinates<d>> x);
-    /// How many volumes the last update computed.
+    /// The number of volumes that the last update computed.
     [[nodiscard]] std::size_t computed() const { return computed_; }
 
   private:
@@ -57,9 +54,9 @@ class Kept_voronoi_volumes {
 
     Delaunay_mesh<d>& mesh_;
     Dirty_cells dirty_cells_;              // since the last update
-    std::vector<Coordinates<d>> x_;        // of the last update; empty: nothing of it holds
+    std::vector<Coordinates<d>> x_;        // of the last update; empty: nothing is valid
     std::vector<Circumcentre<d>> centre_;  // by cell
-    std::vector<Voronoi_sum> sum_;         // by vertex; room to add up in, and nothing between two updates
+    std::vector<Voronoi_sum> sum_;         // by vertex; work space, unused between two updates
     std::vector<double> volume_;
     int exponent_ = 0;  // of the unit: every coordinate is below 2^exponent
     std::size_t computed_ = 0;

@@ -12,7 +12,7 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// Where all points are in a plane or on a line there are no neighbours of cells to count by.
+/// For points in a plane or on a line, where cells have no neighbours by which to count.
 template <int d>
 void count_edges(const Mesh_cells<d>& cells, std::vector<Index>& count) {
     std::vector<std::pair<Index, Index>> edges;
@@ -61,7 +61,7 @@ std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& 
             }
         }
     for (std::size_t v = 0; v < n; ++v) {
-        if constexpr (d == 2) count[v] -= hull[v];  // two edges of the hull, and it is c + 1
+        if constexpr (d == 2) count[v] -= hull[v];  // two edges of the hull make it c + 1
         else if (count[v] > 0) count[v] = count[v] / 2 + 2 - hull[v];
     }
     return count;

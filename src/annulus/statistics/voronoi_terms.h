@@ -15,16 +15,16 @@
 #include <span>
 
 // Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges,
-// m a point of the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; with signs these triangles, over
-// all F around the edge, add up to it. So the pyramids over it with tips p and q, which are alike, are sums of (C left
-// of F and C' right of it, as facet_of has them)
+// m a point of the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; the signed triangles of all F
+// around the edge add up to it. So the pyramids over it with tips p and q, which are congruent, are sums of (C left of
+// F and C' right of it, as in facet_of)
 //
 //     n . ((C - m) x (C' - m)) / 12     and in 2D     (C' - C) . (n_y, -n_x) / 4,
 //
 // and these, over all edges at p, add up to the volume of its Voronoi cell. In voronoi_exact.cpp m is the vertex. Here
-// the three edges of a facet a, b, c share what they have: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D
-// and g = D . (e x f) the terms of ab, ca and bc are e . W, -f . W and (f - e) . W + g, for m = a, a and b; each goes
-// to both ends of its edge, hence
+// the three edges of a facet a, b, c share terms: with e = b - a, f = c - a, X = C - a, D = C' - C, W = X x D and g = D
+// . (e x f) the terms of ab, ca and bc are e . W, -f . W and (f - e) . W + g, for m = a, a and b; each goes to both
+// ends of its edge, hence
 //
 //     (e - f) . W to a,     f . W + g to b,     g - e . W to c.
 //
@@ -34,24 +34,24 @@
 //
 // Errors, u = 2^-53; |v| is the largest coordinate of a vector, without its sign. X and C' - a are off by h and h' at
 // most, summed over coordinates: a circumcentre's own bound, and u of each difference and sum on the way. e, f and D
-// are rounded differences. For the order of operations below proofs/gappa/voronoi_terms_3.g has e . W, and f . W alike,
-// off by voronoi_3_edge u |e| |X| |D| at most, and g by voronoi_3_facet u |e| |f| |D|. Each of the two is at most 6
-// such products, so that their sum or difference is off by 6 u more; of the larger constant and these 6 one more is
-// used. What h and h' do comes on top. Of the six products that e . W is, two have a given coordinate of X, two a given
-// one of D, and one has both, so that it changes by
+// are rounded differences. For the order of operations below proofs/gappa/voronoi_terms_3.g proves that e . W, and f .
+// W alike, is off by voronoi_3_edge u |e| |X| |D| at most, and g by voronoi_3_facet u |e| |f| |D|. Each of the two is
+// at most 6 such products, so that their sum or difference is off by 6 u more; the constant used is the larger one plus
+// 6 plus 1. The effect of h and h' is added to that. Of the six products that e . W is, two have a given coordinate of
+// X, two a given one of D, and one has both, so that it changes by
 //
 //     2 |e| |D| h + 2 |e| |X| (h + h') + |e| h (h + h')     at most, and g by     2 |e| |f| (h + h').
 //
-// In 2D (proofs/gappa/voronoi_terms_2.g) a term is off by voronoi_2 u |e| |D|, of which one more is used, and by
-// |e| (h + h').
+// In 2D (proofs/gappa/voronoi_terms_2.g) a term is off by voronoi_2 u |e| |D|, for which voronoi_2 plus 1 is used, and
+// by |e| (h + h').
 //
-// What underflows is off by 2^-1075, and is multiplied by edges, which are below 2, and perhaps by X, by D or by both:
-// `lost` covers all of it with 2^70 to spare. That products of two errors are left out and that the bound is rounded
-// itself is less than 2^-40 of it; is_good() has a hundredth for that.
+// An underflow is an error of 2^-1075, multiplied by edges, which are below 2, and perhaps by X, by D or by both:
+// `lost` covers all of it with 2^70 to spare. Products of two errors, which are left out, and the rounding of the bound
+// itself are less than 2^-40 of it; is_good() leaves a hundredth for that.
 
 namespace annulus {
 
-/// What is added up of a Voronoi cell, times 4 in 2D and 12 in 3D, and a bound of its error, in the unit of
+/// The partial sum of a Voronoi cell, times 4 in 2D and 12 in 3D, and a bound of its error, in the unit of
 /// circumcentre().
 struct Voronoi_sum {
     double volume = 0, error = 0;
@@ -60,36 +60,36 @@ struct Voronoi_sum {
         volume += term;
         error += error_of_term + bounds::u * std::fabs(volume);
     }
-    /// Whether that is as good as voronoi_volumes promises. False for what is no number, and for what has overflowed.
+    /// Whether that is as accurate as voronoi_volumes promises. False for NaN and after overflow.
     [[nodiscard]] bool is_good() const {
         constexpr double good = 0.99 * voronoi_volume_error;
         return error < good * volume;
     }
 };
 
-/// Of what is below 2^exponent: that, in the caller's unit of length, of which a sum has the exponent-th power.
+/// The volume in the caller's unit of length to the d-th power; the unit of `sum` is 2^exponent.
 template <int d>
 [[nodiscard]] double voronoi_volume(const Voronoi_sum& sum, int exponent) {
     constexpr double parts = d == 2 ? 4 : 12;
     return std::min(std::ldexp(sum.volume / parts, d * exponent), std::numeric_limits<double>::max());
 }
 
-/// Facets' terms, cell by cell. It refers to arrays of others: positions by vertex, circumcentres by cell, sums by
-/// vertex.
+/// Computes the terms of facets, cell by cell. Refers to arrays of the caller: positions by vertex, circumcentres by
+/// cell, sums by vertex.
 ///
-/// `Cells` has the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet opposite
-/// to it, below c where it is none; is_finite(c) of such a cell. One way through all of them in ascending order gives
-/// every vertex its terms in an order that depends on the cells around it alone: so does a way through some cells, if
-/// these are among them, bit for bit.
+/// `Cells` gives access to the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet
+/// opposite to it, a number below c where there is none; is_finite(c) of such a cell. A pass over all cells in
+/// ascending order adds the terms of every vertex in an order that depends only on the cells around it. So does a pass
+/// over some of the cells, if those around the vertex are among them, bit for bit.
 template <int d>
 class Voronoi_terms {
   public:
-    /// scale is that of circumcentre().
+    /// `scale` as for circumcentre().
     Voronoi_terms(std::span<const Coordinates<d>> x, std::span<const Circumcentre<d>> centre, double scale,
                   std::span<Voronoi_sum> sum)
         : x_(x), centre_(centre), scale_(scale), sum_(sum) {}
 
-    /// Adds the terms of those facets of a finite cell beyond which there is one with a larger number.
+    /// Adds the terms of those facets of a finite cell beyond which there is a finite cell with a larger number.
     template <class Cells>
     void add_facets(const Cells& cells, Index c) const {
         std::array<Index, static_cast<std::size_t>(d + 1)> v;
@@ -118,7 +118,7 @@ class Voronoi_terms {
     static constexpr double units =
         d == 2 ? bounds::voronoi_2 + 1 : std::max(bounds::voronoi_3_edge, bounds::voronoi_3_facet) + 7;
     using Corners_of = std::array<Index, static_cast<std::size_t>(d + 1)>;
-    /// A circumcentre from somewhere else, with its error.
+    /// A circumcentre relative to another point, with its error.
     struct Seen {
         Coordinates<d> offset;
         double error;
@@ -135,11 +135,11 @@ class Voronoi_terms {
         for (std::size_t k = 1; k < d; ++k) most = std::max(most, std::fabs(x[k]));
         return most;
     }
-    /// (b - a) in the unit, each coordinate within u of it, relatively.
+    /// (b - a) in the unit, each coordinate with a relative error of u at most.
     [[nodiscard]] Coordinates<d> difference(Index a, Index b) const {
         return Euclidean<d>::difference(x_[at(b)], x_[at(a)], [this](double p, double q) { return (p - q) * scale_; });
     }
-    /// That of cell n, whose first corner is `base`, from vertex a.
+    /// The circumcentre of cell n, whose first corner is `base`, relative to vertex a.
     [[nodiscard]] Seen seen_from(Index a, Index n, Index base) const {
         Seen out{difference(a, base), 0};
         const double far = absolute_sum(out.offset);
@@ -148,7 +148,7 @@ class Voronoi_terms {
         return out;
     }
 
-    /// From p to q, both given from the first corner; the cell is to the left, n to the right.
+    /// From p to q, both relative to the first corner; the cell is to the left, n to the right.
     void add_edge(const Corners_of& v, const Coordinates<d>& p, const Coordinates<d>& q, std::size_t i,
                   const Circumcentre<d>& left, Index n, Index base) const {
         const Seen right = seen_from(v[0], n, base);
@@ -167,7 +167,7 @@ class Voronoi_terms {
         sum_[at(to)].add(term, error);
     }
 
-    /// The facet opposite to corner i, e and f from its first corner to the others, `left` from there.
+    /// The facet opposite to corner i: e and f from its first corner to the others, `left` relative to that corner.
     void add_facet(const Corners_of& v, std::size_t i, const Coordinates<d>& e, const Coordinates<d>& f,
                    const Seen& left, Index n, Index base) const {
         const auto& facet = facet_of<d>[i];

@@ -37,7 +37,7 @@ class Fresh_volumes {
 
     std::vector<double> operator()(Voronoi_counts& counts) {
         const bool spans = find_hull();
-        sum_.assign(x_.size(), {0, unbounded});  // where nothing is added, all of it is left to integers
+        sum_.assign(x_.size(), {0, unbounded});  // where nothing is added, integers compute the whole sum
         if (spans) {
             find_circumcentres();
             if (!centre_.empty()) add_facets();
@@ -56,7 +56,7 @@ class Fresh_volumes {
                             "there is no cell " + std::to_string(n) + " that could be a neighbour");
     }
 
-    /// What each vertex is, and the unit. False where no cell has d + 1 corners.
+    /// Finds the kind of each vertex, and the unit. False where no cell has d + 1 corners.
     bool find_hull() {
         if (cells_.neighbours.size() != cells_.vertices.size())
             throw Error(Error_code::wrong_size, "there are neighbours of " + std::to_string(cells_.neighbours.size()) +
@@ -108,8 +108,8 @@ class Fresh_volumes {
         for (std::size_t c = 0; c < cells_.vertices.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
     }
 
-    /// Takes the unit back where a sum is good enough, computes what is not from exact circumcentres, and says what
-    /// is unbounded or no cell.
+    /// Scales a sum back to the caller's unit where it is accurate enough, computes the others from exact
+    /// circumcentres, and writes infinity or NaN for unbounded cells and free indices.
     std::vector<double> finish(Voronoi_counts& counts) {
         std::vector<double> volume(x_.size());
         std::vector<Index> poor;
@@ -128,7 +128,7 @@ class Fresh_volumes {
     }
 
     void compute_exactly(std::span<const Index> poor, std::vector<double>& volume) const {
-        // Where the cells around a vertex end, among those around all of these; then where they begin.
+        // The end of the cells around each of these vertices, in one array; afterwards the beginning.
         std::vector<std::size_t> end(x_.size(), 0);
         std::vector<char> wanted(x_.size(), 0);
         for (const Index v : poor) wanted[at(v)] = 1;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exact answers for one certificate, from its points and their definitions alone: integers, rational numbers and their
+"""Exact results for one certificate, from its points and the definitions alone: integers, rational numbers and their
 square roots.
 
 Nothing here comes from the library, nor from its formulas: signs are determinants by elimination; widths are distances
@@ -24,7 +24,7 @@ def exponent(x):
 
 
 def determinant(rows):
-    """Of integers, by Bareiss' elimination."""
+    """The determinant of an integer matrix, by Bareiss' elimination."""
     m, sign, last = [list(r) for r in rows], 1, 1
     for k in range(len(m) - 1):
         if m[k][k] == 0:
@@ -109,8 +109,7 @@ def slab(normal, along):
 
 
 def slabs_of_simplex(x):
-    """All slabs that the certificate of a cell can be lost in: a facet and its vertex, in space two opposite edges
-    too."""
+    """All slabs in which the certificate of a cell can fail: a facet and its vertex, in 3D also two opposite edges."""
     d = len(x[0])
     all = []
     for i in range(d + 1):
@@ -125,7 +124,7 @@ def slabs_of_simplex(x):
 
 
 def solve(rows, right):
-    """The solution of a square system of integers as numerators and their common denominator; nothing where it is
+    """The solution of a square system of integers as numerators and their common denominator; None where it is
     singular."""
     d = determinant(rows)
     if d == 0:
@@ -134,8 +133,8 @@ def solve(rows, right):
 
 
 def annulus(one, other):
-    """Of the circles or spheres of one centre through `one` and through `other`: (Annulus or Slab, does `one` lie on
-    the inner one?)."""
+    """The concentric circles or spheres through `one` and through `other`: (Annulus or Slab, whether `one` is on the
+    inner one)."""
     rows, right = [], []
     for group in (one, other):
         for x in group[1:]:  # |x - c| = |group[0] - c|
@@ -155,7 +154,7 @@ def annulus(one, other):
 
 
 def obstacles(name, x):
-    """The slabs and annuli of which the least width is that of the certificate."""
+    """The slabs and annuli whose least width is that of the certificate."""
     if name.startswith("orientation"):
         return slabs_of_simplex(x)
     if name == "empty_circle_2":
@@ -167,7 +166,8 @@ def obstacles(name, x):
         found, inner = annulus(one, other)
         all.append(found)
         forward = forward and inner
-    # An annulus that has the wrong side inside is none as long as both cells are positive: so they have to stay so.
+    # An annulus with the wrong side inside is not an obstacle while both cells are positive: so they must remain
+    # positive.
     if not forward:
         all += slabs_of_simplex([b, a, c, p]) + slabs_of_simplex([a, b, c, q])
     return [o for o in all if o]
@@ -176,7 +176,7 @@ def obstacles(name, x):
 # ---- Answers -------------------------------------------------------------------------------------------------------
 
 def greatest_double(is_at_least, near):
-    """The largest double that the truth is not below."""
+    """The largest double not above the truth."""
     y = double_near(near)
     while y > 0 and not is_at_least(Q(y)):
         y = next_down(y)
@@ -190,8 +190,8 @@ def hexadecimal(n):
 
 
 def answer(name, points):
-    """What is exactly true of the certificate `name` of these points, tuples of doubles, as the columns of the files
-    have it."""
+    """The exact results for the certificate `name` of these points, tuples of doubles, as in the columns of the
+    files."""
     shift = min((exponent(c) for p in points for c in p if c != 0), default=0)
     unit = Q(2) ** shift
     x = [[int(Q(c) / unit) for c in p] for p in points]
@@ -235,7 +235,7 @@ def answer(name, points):
 
 
 def strictly_above(o, w):
-    """Is the width greater than w, where it is known not to be below?"""
+    """Whether the width is greater than w, given that it is not below."""
     if isinstance(o, Slab):
         return w * w < o.square
     rest = o.s2 - o.r2 - w * w
