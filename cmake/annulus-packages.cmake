@@ -92,7 +92,7 @@ if(TARGET annulus-python)
         "python3 (>= 3.${annulus_python_minor}), python3 (<< 3.${annulus_python_next}), python3-numpy")
 endif()
 
-# ---- What Debian wants beside the files: a copyright and a changelog ------------------------------
+# ---- What Debian requires beside the files: a copyright and a changelog ------------------------------
 find_program(ANNULUS_GZIP gzip)
 mark_as_advanced(ANNULUS_GZIP)
 if(ANNULUS_GZIP)

@@ -30,7 +30,7 @@ set(annulus_cgal_headers
     <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Delaunay_triangulation_2.h>
     <CGAL/Delaunay_triangulation_3.h> <CGAL/Triangulation_vertex_base_with_info_2.h>
     <CGAL/Triangulation_vertex_base_with_info_3.h> <CGAL/Delaunay_triangulation_cell_base_3.h>)
-file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is wanted.\n")
+file(CONFIGURE OUTPUT nothing.cpp CONTENT "// Only its precompiled header is used.\n")
 # Where fuzz targets are built, they and their model have a separate header: there test files are compiled without
 # coverage counters, in three quarters of the time. (With -O0 they would take a third, and run twice as long.)
 set(annulus_header_targets annulus-headers annulus-headers-cgal)
