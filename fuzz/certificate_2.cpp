@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bytes -> four points in 2D -> every stage of the filtered predicate compared with rational arithmetic: signs, and on
-// which side of the half width a tolerance is; also enclosures, circles that are tested many times, and the
-// perturbation. A find is printed as the four points.
+// which side of the half width a tolerance is; also enclosures, prepared circles (many points against one), and
+// the perturbation. A find is printed as the four points.
 #include "common/decode.h"
 #include "common/rational_2.h"
 #include "common/value_fault.h"

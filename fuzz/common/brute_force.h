@@ -292,8 +292,8 @@ class Brute_force {
         return out;
     }
 
-    /// A Delaunay triangulation: the lower hull of the lifted points, each raised by a little. It is unique where no
-    /// two relevant hyperplanes agree in all heights; other random numbers give other heights. Heights are below 2^32.
+    /// The lower hull of the lifted points, each raised by a little: a Delaunay triangulation where no two relevant
+    /// hyperplanes agree in all heights; otherwise other heights are to be tried. Heights are below 2^32.
     [[nodiscard]] std::vector<Cell_of<d>> triangulated(const std::vector<std::uint64_t>& height) const {
         std::vector<Cell_of<d>> out;
         if (span_ == 3) {

@@ -199,7 +199,7 @@ void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint6
             x[i] = *now[i];
         }
     }
-    for (bool met = true; met;) {  // one that stays may be another's target
+    for (bool met = true; met;) {  // a vertex that stays may be at the target of another; ends when all stay, or before
         met = false;
         std::map<Coordinates<d>, std::size_t> visitors;
         for (std::size_t i = 0; i < x.size(); ++i)

@@ -60,7 +60,7 @@ inline constexpr std::array<Setting, 3> uncertified_settings{{{Strategy::paper, 
 [[nodiscard]] std::string name_of(const Setting& s);
 
 /// The certified strategies that keep tolerances from one call to the next.
-[[nodiscard]] inline std::vector<Setting> filter_settings() {
+[[nodiscard]] inline std::vector<Setting> tolerance_settings() {
     std::vector<Setting> settings;
     for (const Setting& s : certified_settings)
         if (s.strategy == Strategy::tolerances || s.strategy == Strategy::tolerances_each ||

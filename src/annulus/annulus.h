@@ -138,8 +138,8 @@ ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_
 // the vertex or point that was refused. Cannot fail.
 ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
 
-// The name of a status, "duplicate_point" for ANNULUS_DUPLICATE_POINT; "unknown status" for any other number. Never
-// NULL.
+// The name of a status in words, "duplicate point" for ANNULUS_DUPLICATE_POINT; "unknown status" for any other number.
+// Never NULL.
 ANNULUS_API const char* annulus_status_name(int status);
 
 // The version of the library, for example "0.1.0", and the ANNULUS_INTERFACE that it was built with.
@@ -154,8 +154,9 @@ ANNULUS_API int annulus_interface(void);
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
 // Moves some vertices, all at the same time: vertex indices[k] to point k. If an index occurs twice, its last point
-// counts. If fewer than one in 64 vertices move while tolerances are kept, the cost is that of their single moves,
-// independent of the size of the mesh. The same errors as annulus_move_all, and UNKNOWN_VERTEX.
+// counts. If fewer than one in 64 vertices move, under a strategy that repairs the mesh ("auto", "tolerances",
+// "tolerances-each", "in-place"), the cost is that of their single moves, independent of the size of the mesh. The
+// same errors as annulus_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
                              annulus_report* report);
 

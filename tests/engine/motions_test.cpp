@@ -52,7 +52,7 @@ TEMPLATE_TEST_CASE_SIG("Steady motion that breaks off never leaves a wrong trian
     using Do = Calls<d>;
     constexpr std::array steady{Motion::drift, Motion::own_ways, Motion::orbits,
                                 Motion::shear, Motion::rotation, Motion::breathing};
-    for (const Setting& setting : filter_settings()) {
+    for (const Setting& setting : tolerance_settings()) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 40 : 12, [&](Random& random) {
                 const Points_of<d> home = some_points<d>(ordinary_set<d>(random), 4, d == 2 ? 40 : 20, random);
@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE_SIG("Tolerances given up and taken up again never leave a wro
                        "[motions]", ((int d), d), 2, 3) {
     // In turn: at rest, far within tolerances, about as far as they allow, far beyond them.
     using Do = Calls<d>;
-    for (const Setting& setting : filter_settings()) {
+    for (const Setting& setting : tolerance_settings()) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 40 : 12, [&](Random& random) {
                 const Points_of<d> home = some_points<d>(ordinary_set<d>(random), 4, d == 2 ? 40 : 20, random);
@@ -132,7 +132,7 @@ TEMPLATE_TEST_CASE_SIG("Lattices that wander and return many times are still Del
 TEMPLATE_TEST_CASE_SIG("After a refused call the flips that it took back do no harm, dimension", "[motions]",
                        ((int d), d), 2, 3) {
     using Do = Calls<d>;
-    for (const Setting& setting : filter_settings()) {
+    for (const Setting& setting : tolerance_settings()) {
         CAPTURE(name_of(setting));
         for_each_seed(20, [&](Random& random) {
             const Points_of<d> home = some_points<d>(all_sets<d>()[random() % 5], 12, 12, random);

@@ -39,9 +39,9 @@ class Error : public std::runtime_error {
     }
     /// The reason as a value; `what()` returns it as text.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
-    /// Indices of the vertices concerned, as far as they are known. For a duplicate point: in a construction the
-    /// indices of both points in the input, the smaller one first; in an insertion the one vertex that is there
-    /// already. For other errors: the vertex whose position or index is refused.
+    /// Indices of the vertices concerned, as far as they are known. For a duplicate point: both
+    /// vertices, the smaller index first (in a construction the indices of the points in the input); in an insertion
+    /// only the vertex that is there already. For other errors: the vertex whose position or index is refused.
     [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
 
   private:

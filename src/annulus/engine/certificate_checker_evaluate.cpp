@@ -80,7 +80,7 @@ Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
 template <int d>
 template <class S>
 Stage_counts Certificate_checker<d>::evaluate_stale(std::span<S> entries) const {
-    if (entries.empty()) return {};    // cells often are empty
+    if (entries.empty()) return {};    // often there are no cells to evaluate
     constexpr std::size_t run = 1024;  // the same for every number of threads
     if (entries.size() <= run) return evaluate_run(entries);
     std::vector<Stage_counts> counts((entries.size() + run - 1) / run);

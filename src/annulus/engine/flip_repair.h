@@ -46,7 +46,7 @@ struct Repair_result {
 /// (Cavity_retriangulator).
 ///
 /// In 2D a flip (2-2) exchanges the diagonals of a bi-cell. In 3D the flip depends on the point x where the edge pq
-/// of the two opposite vertices meets the plane of the facet abc. The pictures show this plane; p is above it, q
+/// of the two opposite vertices meets the plane of the facet abc. The pictures show this plane; q is above it, p
 /// below.
 ///
 /// Nothing here is trusted: a certificate that is not known to hold stays on a list of `signs` until its sign at the

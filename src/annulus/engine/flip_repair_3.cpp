@@ -17,7 +17,7 @@ bool Flip_repair<3>::flip(Corner_index h) {
     const Site<3> q = x[3];
     const Site<3> p = table_.opposite(h);
     if (p == q) return false;
-    std::array<int, 3> passes{};  // whether pq passes the edge opposite to x[i] on its inner side
+    std::array<int, 3> passes{};  // how pq passes the edge opposite to x[i]: 1 on its inner side, 0 through it
     int beside = 0;
     std::size_t odd = 0;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -59,7 +59,8 @@ class Held_back {
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
 
     /// Moves one of these vertices back, the one farthest from its source: half way the first time, to its source the
-    /// next time. Returns it, or `none` when all are at their sources.
+    /// next time. Returns it, or `none` when none can be moved back: all are at their sources or, after the first
+    /// round, not held back.
     [[nodiscard]] Index hold_back(const Cell_sites<d>& cell);
     /// Begins a round: every vertex that is not at its target advances towards it; moved(v) is called after each.
     /// Returns whether a vertex got nearer to its target in the last round.

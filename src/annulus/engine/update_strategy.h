@@ -62,8 +62,8 @@ class Update_strategy {
     virtual void add_vertex(Index v, const Coordinates<d>& p) = 0;
     /// To be called after other code has replaced these cells (insertion, removal) at the present positions.
     virtual void refresh(std::span<const Cell_index> cells, Move_report& report) = 0;
-    /// Drops the positions from this index on; the other writes one position and nothing else. A rebuild and `begin`
-    /// must follow.
+    /// truncate() drops the positions from this index on; restore_position() writes one position and nothing else.
+    /// After either, a rebuild and `begin` must follow.
     virtual void truncate(std::size_t bound) = 0;
     virtual void restore_position(Index v, const Coordinates<d>& p) noexcept = 0;
 

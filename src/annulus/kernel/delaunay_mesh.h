@@ -59,7 +59,8 @@ class Delaunay_mesh {
     /// Removes all cells, until a rebuild.
     void clear_cells() noexcept;
     /// Rebuilds what is now at these indices, whose cells a call has changed. Afterwards all cells are Delaunay at
-    /// `positions` again. `made` receives the new cells. O(k log k) for k cells.
+    /// `positions` again. Preconditions: all other cells are Delaunay at `positions`, and these were before the call.
+    /// `made` receives the new cells. O(k log k) for k cells.
     void restore_cells(std::span<const Coordinates<d>> positions, std::span<const Cell_index> cells,
                        std::vector<Cell_index>& made);
 

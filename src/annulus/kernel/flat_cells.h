@@ -19,7 +19,8 @@ struct Flat_cells {
     std::vector<std::array<Index, 3>> neighbours;  ///< the cell opposite to each vertex, then `none`
 };
 
-/// The flat cells of these vertices, at x. Of vertices at one position it uses one, in any order. O(n log n).
+/// The flat cells of these vertices at x: some of the indices of x, in any order. Precondition: no two of them are at
+/// one position. O(n log n).
 template <int d>
 [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> x, std::vector<Index> vertices);
 

@@ -22,7 +22,7 @@ namespace annulus {
 // whether an edge would then exist twice: the cells stay glued to a manifold whatever the flips (docs/theory.md 6.2).
 // Where a cell beside the removed ones is one of them, they return false, or nothing, and change nothing. O(1).
 //
-// 2-3 and 3-2, seen along the edge p q, in the picture.
+// The picture: 2-3 and 3-2, seen from q along the edge p q.
 
 /// 2-3: replaces the facet a b c at half-facet h by the edge between its opposite vertices p and q. `made` receives
 /// the three cells, which have the indices of the two old cells and a new one.
@@ -51,7 +51,7 @@ struct Flip_4_4 {
 /// 4-4: replacing an edge u w that four cells share by the edge of the opposite vertices p and q of the facet at
 /// half-facet h. Returns the cells that this would remove and create; the table is not changed. u w is the edge of that
 /// facet that lies opposite to the vertex c of corner k, a corner of the same cell as h. Returns nothing if not exactly
-/// four cells share u w. Each triangle of the picture makes one cell with c, in front of it, and one with r, behind it.
+/// four cells share u w. Each triangle of the picture makes one cell with c, behind it, and one with r, in front of it.
 [[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k);
 
 }  // namespace annulus

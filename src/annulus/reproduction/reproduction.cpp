@@ -66,7 +66,7 @@ std::string page_html(const Page_content& page, const std::vector<Claim>& claims
 std::string claim_table(const std::vector<Claim>& claims) {
     std::string out =
         "<div class=\"scroll\"><table class=\"claims\">\n<thead><tr><th>The paper</th><th>Its number</th><th>Here, "
-        "under its algorithm</th><th>Here, under ours</th><th>Certificate_value</th></tr></thead>\n<tbody>\n";
+        "under its algorithm</th><th>Here, under ours</th><th>Verdict</th></tr></thead>\n<tbody>\n";
     for (const Claim& c : claims) {
         const char* mark = c.verdict == Claim_verdict::wrong || c.verdict == Claim_verdict::differs ? "bad"
                            : c.verdict == Claim_verdict::open                                       ? ""
