@@ -7,6 +7,10 @@
 #include <stdexcept>
 #include <string>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace annulus {
 
 namespace {
@@ -51,6 +55,12 @@ std::vector<std::size_t> Coordinator::open_trials() {
     for (std::size_t i = 0; i < entry_.size(); ++i)
         if (!entry_[i]) open.push_back(i);
     return open;
+}
+
+void share_memory_pool() noexcept {
+#ifdef __GLIBC__
+    ::mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 Trial_result run_named(const Trial& t, std::size_t hardest, int threads) {

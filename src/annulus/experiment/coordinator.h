@@ -68,6 +68,11 @@ class Coordinator {
 /// run(), but an error that names no file names its trial, and one thread is used where no more are available.
 [[nodiscard]] Trial_result run_named(const Trial& trial, std::size_t hardest, int threads);
 
+/// To be called before threads of which there are too many allocate or free anything: they share the memory pool of
+/// the main thread. Otherwise glibc reserves 64 MB of address space, and 128 at first, for each of up to 8 threads a
+/// processor, depending on which of them run at the same time.
+void share_memory_pool() noexcept;
+
 /// Threads of one process that run the jobs which `take` returns, until it returns none: take() -> optional<Job>,
 /// done(job, result), failed(job, exception). All three are called from these threads. Where the system does not
 /// provide so many threads, fewer are used, at most the number of processors, so that resources such as address space
@@ -97,6 +102,7 @@ class Workers {
             while (thread_.size() < static_cast<std::size_t>(threads)) thread_.emplace_back(work, thread_.size());
         } catch (...) {
             refused = std::current_exception();
+            share_memory_pool();
         }
         const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
         const std::size_t kept = refused ? std::min((thread_.size() + 7) / 8, processors) : thread_.size();
