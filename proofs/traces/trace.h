@@ -201,7 +201,7 @@ struct Trace {
     static void toured(const Displacement_budget<d>& o, Index) {
         if (!on) return;
         has_toured = true;
-        for (const std::uint32_t k : o.certificates_) {
+        for (const std::uint32_t k : o.walk_.certificates) {
             const Corner_index h(static_cast<Index>(k >> 1));
             around.push_back((k & 1) ? id_of_cell(o.table_.cell_of(h)) : id_of_facet(o.table_.facet(h)));
         }
