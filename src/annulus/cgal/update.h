@@ -185,9 +185,10 @@ void Cgal_view<Traits>::write_flat_cells(std::span<const Coordinates<d>> x) cons
     auto& tds = tr_.tds();
     std::vector<Cell_handle> made(flat.vertices.size());
     for (Cell_handle& c : made) c = Traits::create_cell(tds);
+    const std::size_t corners = flat.dimension == 1 ? 2 : 3;
     for (std::size_t k = 0; k < made.size(); ++k)
-        for (int i = 0; i <= std::min(flat.dimension, d - 1); ++i) {
-            const auto corner = static_cast<std::size_t>(i);
+        for (std::size_t corner = 0; corner < corners; ++corner) {
+            const auto i = static_cast<int>(corner);
             const Vertex_handle v = vertex_of(flat.vertices[k][corner]);
             made[k]->set_vertex(i, v);
             made[k]->set_neighbor(i, made[at(flat.neighbours[k][corner])]);
