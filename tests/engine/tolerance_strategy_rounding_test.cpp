@@ -179,7 +179,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     }
     SECTION("paper") {
         Delaunay_mesh<2> mesh;
-        Paper_strategy<2> strategy(mesh, Strategy::paper, Tolerance_kind::floating, 0U);
+        Paper_strategy<2> strategy(mesh, Paper_choice{}, Tolerance_kind::floating, 0U);
         Move_report report;
         mesh.build(square);
         strategy.recompute_tolerances(square, report);

@@ -27,7 +27,7 @@ REVEAL(Paper_passes, &Paper_strategy<2>::passes);
 TEST_CASE("paper: what passes is nearer to its fixed position than its tolerance", "[relocation][rounding]") {
     REQUIRE(for_all("of tolerances of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
-        Session<Paper_strategy<2>> s(random, Strategy::paper, Tolerance_kind::floating, 0U);
+        Session<Paper_strategy<2>> s(random, Paper_choice{}, Tolerance_kind::floating, 0U);
         for (int i = 0; i < 500; ++i) {
             const auto v = static_cast<Index>(random() % s.points.size());
             const double tolerance = std::ldexp(1.0 + unit(random), integer(random, -30, 0));

@@ -202,7 +202,8 @@ TEMPLATE_TEST_CASE_SIG("Of many volumes those around few movers are computed, an
     for (int k = 0; k < 5; ++k) {
         const auto v = static_cast<Index>(random() % x.size());
         const Coordinates<d> goal = near<d>(x[static_cast<std::size_t>(v)], 0.01, random);
-        CHECK(mesh.relocate(x, v, goal) != Relocation::refused);
+        std::vector<Cell_index> changed;
+        CHECK(mesh.reinsert(x, v, goal, changed));
         const auto volumes = kept.update(x);
         CHECK(kept.computed() > d);
         CHECK(kept.computed() < 150);
@@ -292,10 +293,11 @@ TEMPLATE_TEST_CASE_SIG(
         mesh.rebuild(x);
         CHECK(same_bits(kept.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
     }
-    CHECK(mesh.relocate(x, 0, x[1]) == Relocation::refused);
+    std::vector<Cell_index> changed;
+    CHECK_THROWS_AS(mesh.reinsert(x, 0, x[1], changed), Error);
     Coordinates<d> outside{};
     outside[0] = -3;
-    CHECK(mesh.relocate(x, 0, outside) == Relocation::reinserted);
+    CHECK(mesh.reinsert(x, 0, outside, changed));
     Kept_voronoi_volumes<d> other(mesh);
     CHECK(same_bits(other.update(x), voronoi_volumes<d>(x, mesh.cells(x, x.size()))));
 }

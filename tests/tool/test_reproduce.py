@@ -66,7 +66,7 @@ class Reproduce(tool.ToolTest):
         self.assertEqual(len(printed["failed_in_a_row"]), 7)
         self.assertGreaterEqual(printed["failed_in_a_row"][0], printed["failed_in_a_row"][1])
         self.assertLess(printed["failed"], printed["moves"])
-        for name in ("paper-in-place", "paper-printed-hybrid", "relocate-in-place"):
+        for name in ("paper-in-place", "paper-printed-hybrid", "relocate-in-place", "relocate-cgal"):
             self.assertIn(name, sphere["strategies"])
         for rounding in sphere["rounding"]:
             self.assertLess(0, rounding["above_exact"])

@@ -5,7 +5,6 @@
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>
-#include <annulus/mesh/table_measures.h>
 #include <annulus/mesh/walk.h>
 
 #include <algorithm>
@@ -213,31 +212,6 @@ bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> positions, Index v, co
     attach(positions, v, p, locate(positions, p, none), changed);
     keep_present(changed, 0);
     return true;
-}
-
-template <int d>
-Relocation Delaunay_mesh<d>::relocate(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p) {
-    if (is_taken(positions, p, v)) return Relocation::refused;
-    std::vector<Cell_index> changed;
-    if (detach(positions, v, changed)) {
-        attach(positions, v, p, locate(positions, p, none), changed);
-    } else {
-        std::vector<Coordinates<d>> x(positions.begin(), positions.end());
-        x[at(v)] = p;
-        rebuild(x);
-        positions[at(v)] = p;
-    }
-    return Relocation::reinserted;
-}
-
-template <int d>
-Relocation Delaunay_mesh<d>::relocate_in_place(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p) {
-    if (dimension_ == d) {
-        const Coordinates<d> old = std::exchange(positions[at(v)], p);
-        if (star_holds<d>(table_, positions, v)) return Relocation::kept;
-        positions[at(v)] = old;
-    }
-    return relocate(positions, v, p);
 }
 
 template class Delaunay_mesh<2>;

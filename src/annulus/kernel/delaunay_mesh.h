@@ -15,9 +15,6 @@
 
 namespace annulus {
 
-/// The result of moving one vertex. `refused`: another vertex is there, and nothing has changed.
-enum class Relocation { refused, kept, reinserted };
-
 /// A Delaunay triangulation: which indices are vertices, and the cells, which are stored only in a Corner_table. This
 /// class builds it and inserts and removes vertices; the engine changes the table by flips.
 ///
@@ -77,11 +74,6 @@ class Delaunay_mesh {
     /// vertex is there.
     [[nodiscard]] bool reinsert(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p,
                                 std::vector<Cell_index>& changed);
-
-    /// The paper's baseline: moves one vertex by a removal and an insertion.
-    [[nodiscard]] Relocation relocate(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p);
-    /// The same where a topological change is needed; otherwise only the position is written (paper 3.1).
-    [[nodiscard]] Relocation relocate_in_place(std::span<Coordinates<d>> positions, Index v, const Coordinates<d>& p);
 
     /// Appends the vertices of every finite cell at `positions`; where the vertices are flat, those of the simplices
     /// of the largest dimension that exists (padded with `none`).

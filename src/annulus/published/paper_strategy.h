@@ -3,9 +3,9 @@
 
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/rebuild_strategy.h>
-#include <annulus/engine/sign_evaluator.h>
 #include <annulus/published/least_tolerance.h>
 #include <annulus/published/paper_tolerances.h>
+#include <annulus/published/relocation.h>
 
 #include <random>
 #include <span>
@@ -17,31 +17,40 @@ namespace annulus {
 /// rebuilds until the motion is slow enough for it (4.2).
 ///
 /// Every vertex has a fixed position f, a moving position m, a tolerance eps and D = |m - f|. For a vertex with D <
-/// eps only the position is written. Any other vertex enters a queue. Each vertex h taken from the queue gets f = m
-/// and D = 0: in place if all its certificates hold there; in 2D by flips if no triangle around it is inverted (3.1);
-/// else by removing and inserting it. The certificates that it then has lower the eps of their points, and points
-/// that no longer have D < eps enter the queue. Every vertex enters at most once per call (its D is 0 from then on),
-/// so the queue ends.
+/// eps only the position is written. Any other vertex enters a queue. Each vertex h taken from the queue is relocated
+/// (3.1), so that f = m and D = 0. The certificates that it then has lower the eps of their points, and points that no
+/// longer have D < eps enter the queue. A vertex is relocated at most once per call (its D is 0 from then on), so the
+/// queue ends.
 ///
-/// The mesh is Delaunay at the fixed positions at all times, and at the moving ones if tolerances are certified. A
-/// tolerance that is too large gives a wrong answer at the moving positions, but never breaks the mesh. In 3D
-/// tolerances of the kind `paper` are too large (docs/theory.md 3).
+/// With safe regions a vertex taken from the queue is not relocated if m is on its side of the delimiter of each of
+/// its bi-cells. It is tested again when it moves, or when one of its bi-cells is new.
+///
+/// The mesh is Delaunay at the fixed positions at all times. It is Delaunay at the moving ones if tolerances are
+/// certified and there are no safe regions, which are in plain double. A tolerance that is too large gives a wrong
+/// answer at the moving positions, but never breaks the mesh. In 3D tolerances of the kind `paper` are too large
+/// (docs/theory.md 3).
 template <int d>
-class Paper_strategy final : public Rebuild_strategy<d> {
+class Paper_strategy : public Rebuild_strategy<d> {
   public:
-    /// Precondition: `paper` or `paper_hybrid`. `seed` is for the samples of `paper_hybrid`.
-    Paper_strategy(Delaunay_mesh<d>& mesh, Strategy strategy, Tolerance_kind kind, std::uint64_t seed)
-        : Rebuild_strategy<d>(mesh, strategy), tolerances_(mesh.table(), kind), signs_(mesh.table()), random_(seed) {}
+    /// Precondition: `choice` has tolerances. `seed` is for the samples when `choice` rebuilds first.
+    Paper_strategy(Delaunay_mesh<d>& mesh, const Paper_choice& choice, Tolerance_kind kind, std::uint64_t seed)
+        : Rebuild_strategy<d>(mesh, choice.strategy()),
+          relocation_(mesh, choice),
+          tolerances_(mesh.table(), kind),
+          safe_region_(choice.safe_region && d == 2),
+          random_(seed) {}
 
+    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     /// Recomputes every tolerance, with x as fixed and moving positions. When it throws, no position was written.
     /// O(n).
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
     void refresh_all(Move_report& report) override { begin(this->position_, report); }
-    /// Switches to tolerances if, of 40 random vertices, 75 % (55 % in 3D) have a tolerance above their displacement.
-    /// Checks at every fourth time step (paper 4.2).
+    /// Whether, of 40 random vertices, 75 % (55 % in 3D) have a tolerance above their displacement to x (paper 4.2).
+    /// Preconditions: it still rebuilds, and the mesh has cells.
+    [[nodiscard]] bool sample_stays(std::span<const Coordinates<d>> x, Move_report& report);
+    /// Switches to tolerances if sample_stays(x). Checks at every fourth time step (paper 4.2).
     void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
     void refresh(std::span<const Cell_index> cells, Move_report& report) override;
     void add_vertex(Index v, const Coordinates<d>& p) override;
 
@@ -49,7 +58,7 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     void commit_transaction(Move_report& report) override;
     void rollback() noexcept override;
     [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
-        const bool at_fixed = has_switched() && tolerances_.kind() != Tolerance_kind::certified;
+        const bool at_fixed = has_switched() && (safe_region_ || tolerances_.kind() != Tolerance_kind::certified);
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
     }
 
@@ -75,13 +84,14 @@ class Paper_strategy final : public Rebuild_strategy<d> {
     void resize();
     void forget_queue() noexcept;
     void set_tolerance(Index v, double tolerance);
+    void set_unlimited(Index v);
     void lower(Index v, double tolerance);
     void lower_points();
-    [[nodiscard]] bool stays(std::span<const Coordinates<d>> x, Index v, Move_report& report);
     void process(Index h, Move_report& report, bool first);
-    std::uint64_t& bring(Index h, std::vector<Cell_index>& changed, Move_counts& moves);
+    [[nodiscard]] bool is_in_safe_region(Index h) const;
+    [[nodiscard]] bool stays(std::span<const Coordinates<d>> x, Index v, Move_report& report);
     [[nodiscard]] bool is_taken(Index h) const;
-    void rebuild(Index h, const Coordinates<d>& old_fixed);
+    void rebuild();
     void begin_again(Move_report& report);
 
     /// Indexed by vertex.
@@ -99,8 +109,9 @@ class Paper_strategy final : public Rebuild_strategy<d> {
         bool fresh = false;  // switched to tolerances in a time step that has not ended
     };
 
+    Relocation<d> relocation_;
     Paper_tolerances<d> tolerances_;
-    Sign_evaluator<d> signs_;
+    bool safe_region_;
     State state_;
     State saved_;  // before the time step
     Queue queue_;

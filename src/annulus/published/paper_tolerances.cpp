@@ -3,7 +3,7 @@
 
 #include <annulus/mesh/sort_unique.h>
 #include <annulus/predicate/batch.h>
-#include <annulus/predicate/filtered_2.h>
+#include <annulus/published/standard_annulus.h>
 
 #include <algorithm>
 #include <iterator>
@@ -50,13 +50,8 @@ void Paper_tolerances<d>::add_facet(Corner_index f, std::span<const Coordinates<
 template <int d>
 double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                       std::span<const Coordinates<d>> x) const {
-    if (kind_ != Tolerance_kind::paper || v.stage != Stage::filter || v.sign <= 0) return v.tolerance;
-    if (f.kind == Facet_kind::empty_sphere) {
-        if constexpr (d == 3) return paper_annulus(tuple<d, d + 2>(f.point, x));
-        else return v.tolerance;  // in 2D this is the only annulus
-    }
-    const auto y = tuple<d, d + 1>(f.point, x);
-    return f.kind == Facet_kind::ridge ? paper_ridge(y) : paper_slab(y);
+    const bool holds = v.stage == Stage::filter && v.sign > 0;
+    return kind_ == Tolerance_kind::paper && holds ? paper_half_width(f, x) : v.tolerance;
 }
 
 template <int d>

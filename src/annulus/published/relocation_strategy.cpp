@@ -1,32 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/published/relocation_strategy.h>
 
-#include <annulus/arithmetic/error.h>
-
 namespace annulus {
 
 template <int d>
 void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
-    std::vector<Coordinates<d>>& x = this->position_;
-    const Coordinates<d> source = x[this->at(v)];
-    if (source == p) {
-        ++report.moves.asked;
-        ++report.moves.within_tolerance;
-        return;
-    }
+    const Coordinates<d> source = this->position_[this->at(v)];
+    if (source == p) return Rebuild_strategy<d>::move(v, p, report);
+    std::vector<Cell_index> changed;
+    auto outcome = &Move_counts::rebuilt;
     try {
-        const bool in_place = this->strategy() == Strategy::relocate_flips;
-        switch (in_place ? this->mesh().relocate_in_place(x, v, p) : this->mesh().relocate(x, v, p)) {
-            case Relocation::refused: throw Error(Error_code::duplicate_point, "another vertex is at that position");
-            case Relocation::kept: ++report.moves.kept_in_place; break;
-            case Relocation::reinserted: ++report.moves.reinserted; break;
-        }
+        outcome = relocation_.move(this->position_, v, p, changed);
     } catch (...) {
-        x[this->at(v)] = source;
+        this->position_[this->at(v)] = source;
         throw;
     }
+    if (outcome == &Move_counts::rebuilt) return Rebuild_strategy<d>::move(v, p, report);
     ++report.moves.asked;
-    x[this->at(v)] = p;
+    ++(report.moves.*outcome);
 }
 
 template class Relocation_strategy<2>;

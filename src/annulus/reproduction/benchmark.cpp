@@ -2,7 +2,7 @@
 #include <annulus/reproduction/benchmark.h>
 
 #include <annulus/reproduction/certificate_attack.h>
-#include <annulus/reproduction/operations.h>
+#include <annulus/reproduction/cgal_costs.h>
 #include <annulus/reproduction/processor_time.h>
 #include <annulus/reproduction/stability.h>
 

@@ -3,8 +3,7 @@
 
 #include <annulus/engine/displacement.h>
 #include <annulus/mesh/certificates.h>
-#include <annulus/mesh/evaluate.h>
-#include <annulus/predicate/filtered.h>
+#include <annulus/published/standard_annulus.h>
 #include <annulus/statistics/degeneracy.h>
 #include <annulus/statistics/histogram.h>
 
@@ -13,17 +12,6 @@
 namespace annulus {
 
 namespace {
-
-template <int d>
-double standard_width(const Facet_sites<d>& point, std::span<const Coordinates<d>> x) {
-    if constexpr (d == 3) {
-        return 2 * paper_annulus(tuple<3, 5>(point, x));
-    } else {
-        std::array<Coordinates<2>, 4> p;
-        for (std::size_t k = 0; k < 4; ++k) p[k] = x[static_cast<std::size_t>(point[k].vertex)];
-        return annulus_width_lower(p);
-    }
-}
 
 /// The mean of the finite values, and the share of displacements below them.
 struct Tolerances {
@@ -63,7 +51,7 @@ Certificate_survey_record survey(const Moving_of<d>& dt, std::span<const Coordin
         const Facet_certificate<d> f = facet_certificate(table, h, true);
         for (const auto& [v, label] : f.point) points += v != none ? 1 : 0;
         if (f.kind != Facet_kind::empty_sphere) continue;
-        const double w = standard_width<d>(f.point, x) / spacing;
+        const double w = 2 * paper_half_width(f, x) / spacing;
         sum += w;
         squares += w * w;
         ++bicells;

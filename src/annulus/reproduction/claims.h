@@ -14,11 +14,11 @@ enum class Claim_verdict { agrees, further, differs, wrong, open };
 
 /// One of the paper's results compared with ours. Texts are plain.
 struct Claim {
-    std::string figure;     ///< the page of its subject: "figure-7", "unsound"
-    std::string statement;  ///< in our words
-    std::string paper;      ///< its number
-    std::string theirs;     ///< ours, under the paper's algorithm as printed (Published_algorithm)
-    std::string ours;       ///< ours, under our strategies and tolerances
+    std::string figure;                           ///< the page of its subject: "figure-7", "unsound"
+    std::string statement;                        ///< in our words
+    std::string paper;                            ///< its number
+    std::string theirs;                           ///< ours, under the paper's algorithms (published/)
+    std::string ours;                             ///< ours, under our strategies and tolerances
     Claim_verdict verdict = Claim_verdict::open;  ///< of `theirs`
     std::string reason;                           ///< of a difference, or a remark
     bool of_long_runs = false;                    ///< whether it does not apply to fewer than 1,000 iterations

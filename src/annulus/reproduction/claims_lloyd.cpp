@@ -35,7 +35,8 @@ void append_speed(const Reproduction& r, std::vector<Claim>& out) {
             "; with a test in place (3.1) before relocation " +
             range(
                 of_each(plane, [](const auto& benchmark) { return speed_up(benchmark, "rebuild", "paper-in-place"); }),
-                times);
+                times) +
+            against_own_rebuild(plane);
         c.ours = ours(plane, "rebuild");
         c.verdict = at_least(most(x), 6);
         c.of_long_runs = true;

@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/reproduction/contender.h>
 
-#include <annulus/engine/displacement.h>
+#include <annulus/reproduction/cgal_costs.h>
 #include <annulus/reproduction/processor_time.h>
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace annulus {
-
-namespace {
-
-/// Seconds of CGAL's insertion of a range into an empty triangulation. Making the points beforehand and destroying the
-/// object afterwards are not counted.
-template <int d>
-double range_insertion(std::span<const Coordinates<d>> x) {
-    using Moving = Moving_of<d>;
-    std::vector<typename Moving::Point> points;
-    points.reserve(x.size());
-    for (const auto& p : x) points.push_back(std::apply([](auto... c) { return typename Moving::Point(c...); }, p));
-    typename Moving::Triangulation triangulation;
-    const double begin = processor_seconds();
-    triangulation.insert(points.begin(), points.end());
-    return processor_seconds() - begin;
-}
-
-}  // namespace
 
 template <int d>
 Contender<d>::Contender(Contender_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed)
@@ -39,24 +20,25 @@ Contender<d>::Contender(Contender_plan plan, std::span<const Coordinates<d>> poi
 template <int d>
 void Contender<d>::build(std::span<const Coordinates<d>> points) {
     const double begin = processor_seconds();
-    if (plan_.printed) printed_ = std::make_unique<Published_algorithm<d>>(points, *plan_.printed);
-    else dt_ = std::make_unique<Moving_of<d>>(points, plan_.options);
+    dt_ = std::make_unique<Follower<d>>(points, plan_.options, plan_.paper);
     const double built = processor_seconds();
-    if (dt_) (void)dt_->recompute_tolerances();  // a second time, to measure it
-    else if (plan_.printed->tolerances) printed_->precompute();
+    dt_->recompute_tolerances();  // a second time, to measure it
     record_.first_seconds = built - begin;
     record_.precompute_seconds = processor_seconds() - built;
 }
 
+/// `more`: seconds that this step has already taken.
 template <int d>
-Move_report Contender<d>::move_all(std::span<const Coordinates<d>> target) {
-    return dt_ ? dt_->move_all(target) : printed_->move_all(target);
+void Contender<d>::move_all(std::uint64_t step, std::span<const Coordinates<d>> target, double more) {
+    const double begin = processor_seconds();
+    const Move_report report = dt_->move_all(target);
+    note(step, more + processor_seconds() - begin, report);
 }
 
 template <int d>
 void Contender<d>::count_streaks(std::uint64_t step) {
-    if (!printed_ || plan_.kind != Contender_plan::Kind::follower) return;
-    for (const Index i : printed_->failed()) {
+    if (dt_->paper_strategy() == nullptr || plan_.kind != Contender_plan::Kind::follower) return;
+    for (const Index i : dt_->paper_strategy()->failed()) {
         const auto v = static_cast<std::size_t>(i);
         streak_.resize(std::max(streak_.size(), v + 1));
         last_failure_.resize(streak_.size());
@@ -82,7 +64,7 @@ void Contender<d>::note(std::uint64_t step, double seconds, const Move_report& r
 
 template <int d>
 void Contender<d>::audit(std::uint64_t step) {
-    const Audit_result verdict = dt_ ? dt_->audit() : printed_->audit();
+    const Audit_result verdict = dt_->audit();
     last_audit_ = step;
     ++record_.audits;
     if (verdict.delaunay()) return;
@@ -94,14 +76,13 @@ void Contender<d>::follow(std::uint64_t step, std::span<const Coordinates<d>> be
                           std::span<const Coordinates<d>> target) {
     if (step % plan_.every != 0) return;
     switch (plan_.kind) {
-        case Contender_plan::Kind::cgal: return note(step, range_insertion<d>(target), {});
+        case Contender_plan::Kind::cgal_rebuild: return note(step, time_range_insertion<d>(target), {});
+        case Contender_plan::Kind::cgal_relocate: return note(step, time_relocation<d>(before, target), {});
         case Contender_plan::Kind::hybrid: return follow_hybrid(step, before, target);
         case Contender_plan::Kind::copy: build(before); break;
         case Contender_plan::Kind::follower: break;
     }
-    const double begin = processor_seconds();
-    const Move_report report = move_all(target);
-    note(step, processor_seconds() - begin, report);
+    move_all(step, target, 0);
     count_streaks(step);
     if (plan_.audit_every > 0 && step % plan_.audit_every == 0) audit(step);
 }
@@ -121,33 +102,28 @@ void Contender<d>::follow_hybrid(std::uint64_t step, std::span<const Coordinates
             seconds += record_.first_seconds;
         }
     }
-    if (record_.switched_at == 0) return note(step, seconds + range_insertion<d>(target), {});
-    const double begin = processor_seconds();
-    const Move_report report = move_all(target);
-    note(step, seconds + processor_seconds() - begin, report);
+    if (record_.switched_at == 0) return note(step, seconds + time_range_insertion<d>(target), {});
+    move_all(step, target, seconds);
 }
 
 /// Times the tolerances of the sample, but not the construction of the triangulation with numbered vertices: a program
 /// that rebuilds has one.
 template <int d>
 bool Contender<d>::sample_stays(std::span<const Coordinates<d>> before, std::span<const Coordinates<d>> target) {
-    constexpr int sample = 40;
-    constexpr double share = d == 2 ? 0.75 : 0.55;
-    const Published_algorithm<d> dt(before, {.tolerances = false});
+    Options options;
+    options.seed = random_();
+    Follower<d> dt(before, options, Paper_choice{.rebuild_first = true});
+    Move_report report;
     const double begin = processor_seconds();
-    int within = 0;
-    for (int k = 0; k < sample; ++k) {
-        const std::size_t v = random_() % before.size();
-        within += distance_upper<d>(target[v], before[v]) < dt.tolerance(static_cast<Index>(v)) ? 1 : 0;
-    }
+    const bool stays = dt.paper_strategy()->sample_stays(target, report);
     record_.sampling_seconds += processor_seconds() - begin;
-    return within >= share * sample;
+    return stays;
 }
 
 template <int d>
 Contender_record Contender<d>::finish() {
     const std::uint64_t last = record_.step.empty() ? 0 : record_.step.back();
-    if (is_built() && (last_audit_ != last || record_.audits == 0)) audit(last);
+    if (dt_ && (last_audit_ != last || record_.audits == 0)) audit(last);
     return std::move(record_);
 }
 

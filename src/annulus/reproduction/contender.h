@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/certificate_survey.h>
-#include <annulus/reproduction/published_algorithm.h>
+#include <annulus/reproduction/follower.h>
 #include <annulus/reproduction/records.h>
 
 #include <memory>
@@ -17,9 +16,10 @@ namespace annulus {
 /// How one strategy of a benchmark follows the motion.
 struct Contender_plan {
     enum class Kind {
-        cgal,      ///< CGAL's insertion of a range: the paper's rebuilding
-        follower,  ///< a triangulation that follows all steps
-        copy,      ///< one that is built at the positions before each step that it follows: for slow strategies
+        cgal_rebuild,   ///< CGAL's insertion of a range: the paper's rebuilding
+        cgal_relocate,  ///< CGAL's insertion and removal of each vertex: the paper's relocation
+        follower,       ///< a triangulation that follows all steps
+        copy,           ///< one that is built at the positions before each step that it follows: for slow strategies
         /// The paper's variant (4.2): CGAL's insertion of a range until a sample stays within tolerance, then the
         /// algorithm of 3.2.
         hybrid,
@@ -27,10 +27,9 @@ struct Contender_plan {
     std::string name;
     Kind kind = Kind::follower;
     Options options{};
-    std::uint64_t every = 1;        ///< every which step is followed; 1 for followers
-    std::uint64_t audit_every = 0;  ///< in steps; 0: only at the end
-    /// One of the paper's algorithms as printed, in place of `options`.
-    std::optional<Published_variant> printed{};
+    std::uint64_t every = 1;              ///< every which step is followed; 1 for followers
+    std::uint64_t audit_every = 0;        ///< in steps; 0: only at the end
+    std::optional<Paper_choice> paper{};  ///< a variant of the paper's algorithms, instead of the options' strategy
 };
 
 /// One contender in a run. Times are processor times of one thread; the construction of a follower is timed separately.
@@ -45,8 +44,7 @@ class Contender {
 
   private:
     void build(std::span<const Coordinates<d>> points);
-    [[nodiscard]] bool is_built() const { return dt_ || printed_; }
-    [[nodiscard]] Move_report move_all(std::span<const Coordinates<d>> target);
+    void move_all(std::uint64_t step, std::span<const Coordinates<d>> target, double more);
     void count_streaks(std::uint64_t step);
     void note(std::uint64_t step, double seconds, const Move_report& report);
     void audit(std::uint64_t step);
@@ -56,8 +54,7 @@ class Contender {
 
     Contender_plan plan_;
     Contender_record record_;
-    std::unique_ptr<Moving_of<d>> dt_;
-    std::unique_ptr<Published_algorithm<d>> printed_;
+    std::unique_ptr<Follower<d>> dt_;
     std::vector<std::uint64_t> streak_, last_failure_;  // by vertex: consecutive failures, and the last step with one
     std::mt19937_64 random_;
     std::uint64_t last_audit_ = 0;

@@ -8,40 +8,46 @@ namespace annulus {
 
 namespace {
 
-Options options_of(Strategy strategy, Tolerance_kind kind = Tolerance_kind::certified) {
-    Options o;
-    o.strategy = strategy;
-    o.tolerance = kind;
-    return o;
-}
-
 using Kind = Contender_plan::Kind;
 
-Contender_plan printed(const char* name, const Published_variant& choice, std::uint64_t audit_every,
-                       Kind kind = Kind::follower, std::uint64_t every = 1) {
+Contender_plan ours(const char* name, Strategy strategy, std::uint64_t audit_every) {
+    Options options;
+    options.strategy = strategy;
+    return {name, Kind::follower, options, 1, audit_every, std::nullopt};
+}
+
+Contender_plan papers(const char* name, const Paper_choice& choice, std::uint64_t audit_every,
+                      Kind kind = Kind::follower, std::uint64_t every = 1) {
     return {name, kind, {}, every, audit_every, choice};
 }
 
-/// The paper's algorithm as printed, and with its weaker version of relocation.
-std::vector<Contender_plan> paper_racers(std::uint64_t audit_every) {
-    return {printed("paper-printed", {}, audit_every), printed("paper-in-place", {.in_place = true}, 0),
-            printed("paper-printed-hybrid", {}, 0, Kind::hybrid)};
-}
+namespace choices {
+/// The algorithm as printed (3.2): a vertex that fails is removed and inserted again.
+constexpr Paper_choice printed{.in_place = false, .flips = false};
+/// The same with the weaker version of relocation (3.1).
+constexpr Paper_choice in_place{.flips = false};
+constexpr Paper_choice safe_region{.in_place = false, .flips = false, .safe_region = true};
+/// The relocation algorithm, its weaker version, and its flips.
+constexpr Paper_choice relocate = Paper_choice::of(Strategy::relocate);
+constexpr Paper_choice relocate_in_place = Paper_choice::of(Strategy::relocate_flips);
+constexpr Paper_choice relocate_flips{.tolerances = false, .in_place = false};
+}  // namespace choices
 
-/// The baseline, the paper's algorithms, and ours. `cgal_every`, `copy_every`: contenders that are timed only at some
-/// steps.
+/// Rebuilding and relocation, the paper's algorithms, and ours. `cgal_every`, `copy_every`: contenders that are timed
+/// only at some steps.
 std::vector<Contender_plan> contenders(std::uint64_t cgal_every, std::uint64_t copy_every, std::uint64_t audit_every) {
-    std::vector<Contender_plan> out{
-        {"rebuild", Kind::cgal, {}, cgal_every, 0},
-        printed("relocate", {.tolerances = false}, 0, Kind::copy, copy_every),
-        printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0, Kind::copy, copy_every),
-        {"paper", Kind::follower, options_of(Strategy::paper, Tolerance_kind::paper), 1, audit_every},
-        {"paper-hybrid", Kind::hybrid, options_of(Strategy::paper, Tolerance_kind::paper), 1, 0},
-        {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, audit_every},
-        {"tolerances", Kind::follower, options_of(Strategy::tolerances), 1, 0},
-        {"auto", Kind::follower, options_of(Strategy::automatic), 1, audit_every}};
-    for (Contender_plan& p : paper_racers(audit_every)) out.push_back(std::move(p));
-    return out;
+    return {{"rebuild", Kind::cgal_rebuild, {}, cgal_every, 0},
+            {"relocate-cgal", Kind::cgal_relocate, {}, copy_every, 0},
+            papers("relocate", choices::relocate, 0, Kind::copy, copy_every),
+            papers("relocate-in-place", choices::relocate_in_place, 0, Kind::copy, copy_every),
+            papers("paper-printed", choices::printed, audit_every),
+            papers("paper-in-place", choices::in_place, audit_every),
+            papers("paper-printed-hybrid", choices::printed, 0, Kind::hybrid),
+            papers("paper-in-place-hybrid", choices::in_place, 0, Kind::hybrid),
+            ours("rebuild-own", Strategy::rebuild, 0),
+            ours("tolerances-each", Strategy::tolerances_each, audit_every),
+            ours("tolerances", Strategy::tolerances, 0),
+            ours("auto", Strategy::automatic, audit_every)};
 }
 
 /// 1, 2, 3 .., then eight per decade.
@@ -96,8 +102,9 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
                        .steps = steps,
                        .contenders = contenders(1, sampled(steps, 10), 10)};
         p.benchmark.contenders.push_back(
-            printed("relocate-flips", {.tolerances = false, .flips = true}, 0, Kind::copy, sampled(steps, 10)));
-        p.benchmark.contenders.push_back(printed("paper-safe-region", {.safe_region = true}, 10));
+            papers("relocate-flips", choices::relocate_flips, 0, Kind::copy, sampled(steps, 10)));
+        p.benchmark.contenders.push_back(papers("paper", {}, 10));
+        p.benchmark.contenders.push_back(papers("paper-safe-region", choices::safe_region, 10));
         p.benchmark.surveys = x2 ? spread(steps) : decades(steps, true);
         p.benchmark.distributions = decades(steps, false);
         p.benchmark.degeneracies = decades(steps, true);
@@ -188,13 +195,12 @@ void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
         p.benchmark.name = std::string(d == 2 ? "movers-plane-" : "movers-space-") + std::to_string(percent);
         p.benchmark.title = std::to_string(percent) + " % of random points move, " + (d == 2 ? "plane" : "space");
         p.benchmark.steps = std::min<std::uint64_t>(size.quick ? 5 : 20, steps_of(size, 5));
-        p.benchmark.contenders = {{"rebuild", Kind::cgal, {}, 1, 0},
-                                  printed("relocate", {.tolerances = false}, 0),
-                                  printed("relocate-in-place", {.tolerances = false, .in_place = true}, 0),
-                                  printed("paper-printed", {}, 10),
-                                  printed("paper-in-place", {.in_place = true}, 0),
-                                  {"tolerances-each", Kind::follower, options_of(Strategy::tolerances_each), 1, 10},
-                                  {"auto", Kind::follower, options_of(Strategy::automatic), 1, 10}};
+        p.benchmark.contenders = {
+            {"rebuild", Kind::cgal_rebuild, {}, 1, 0},     {"relocate-cgal", Kind::cgal_relocate, {}, 1, 0},
+            papers("relocate", choices::relocate, 0),      papers("relocate-in-place", choices::relocate_in_place, 0),
+            papers("paper-printed", choices::printed, 10), papers("paper-in-place", choices::in_place, 0),
+            ours("rebuild-own", Strategy::rebuild, 0),     ours("tolerances-each", Strategy::tolerances_each, 10),
+            ours("auto", Strategy::automatic, 10)};
         out.push_back(p);
     }
 }

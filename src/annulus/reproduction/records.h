@@ -25,8 +25,8 @@ struct Contender_record {
     std::string first_fault;
     std::uint64_t switched_at = 0;  ///< hybrids: the first step that was not rebuilt; 0: none
     double sampling_seconds = 0;    ///< hybrids: of these seconds, sampling
-    /// Vertices that failed at the last step and at the streak_lengths[k] - 1 before it. Only for the paper's algorithm
-    /// as printed; else empty.
+    /// Vertices that failed at the last step and at the streak_lengths[k] - 1 before it. Only for the paper's filtering
+    /// algorithm (3.2), in any variant; else empty.
     std::vector<std::uint64_t> streaks;
 };
 inline constexpr std::uint64_t streak_lengths[] = {1, 2, 5, 10, 25, 50, 100};

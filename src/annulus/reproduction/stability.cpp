@@ -3,7 +3,7 @@
 
 #include <annulus/mesh/evaluate.h>
 #include <annulus/predicate/half_width.h>
-#include <annulus/reproduction/standard_annulus.h>
+#include <annulus/published/standard_annulus.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,8 @@ Stability_record measure_stability(const Moving_of<d>& dt) {
     r.edges = theta_edges();
     std::vector<std::vector<double>> errors(r.edges.size() - 1);
     for (const Corner_index h : table.facets()) {
-        Facet_certificate<d> f = facet_certificate(table, h, true);
+        const Facet_certificate<d> f = facet_certificate(table, h, true);
         if (f.kind != Facet_kind::empty_sphere) continue;
-        put_in_order(f);
         const auto points = tuple<d, d + 2>(f.point, x);
         const double plain = standard_half_width(points),
                      exact = enclose_exactly(points).standard.lower;  // the largest double not above the truth

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/reproduction/standard_annulus.h>
+#include <annulus/mesh/certificates.h>
 
 #include <algorithm>
 #include <cmath>
