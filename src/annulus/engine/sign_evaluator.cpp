@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/sign_evaluator.h>
 
+#include <annulus/engine/clear_cells.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
@@ -165,6 +166,15 @@ void Sign_evaluator<d>::test_all_cells() {
     std::vector<Found> found((cells + run - 1) / run);
     for_each_run(cells, run, threads_, [&](std::size_t first, std::size_t last) {
         Found& here = found[first / run];
+        if (has_fast_clear_cells()) {
+            std::vector<Cell_index> rest;
+            const std::size_t clear = clear_cells<d>(table_, x_, Cell_index(static_cast<Index>(first)),
+                                                     Cell_index(static_cast<Index>(last)), rest);
+            here.cells += clear;
+            here.clear_halves += (d + 3) * clear;
+            for (const Cell_index c : rest) test_cell(c, false, here);
+            return;
+        }
         // The positions of a cell's neighbours are three dependent loads away, so they are prefetched for some cells
         // ahead.
         constexpr Index ahead = 16;

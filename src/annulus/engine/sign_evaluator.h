@@ -54,7 +54,8 @@ class Sign_evaluator {
     /// Exact sign of a cell with these vertices; infinity allowed.
     [[nodiscard]] int sign(const Cell_sites<d>& x);
 
-    [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }    ///< cells
+    [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }  ///< cells
+    [[nodiscard]] const std::vector<Cell_index>& inverted() const { return found_.inverted; }
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
     /// An estimate of the least cost of repairing what is on the lists: the filter stage counts, in a sample, what
     /// clearly fails.
