@@ -128,11 +128,14 @@ template <int d>
 bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
                                 std::vector<std::pair<Index, Point>>& source, Move_report& report) {
     const double before = report.cost;
+    const double rebuild = strategy_->begins_with_tolerances()
+                               ? Rebuild_policy<d>::rebuild_with_tolerances_cost(mesh_.vertices())
+                               : Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     for (const auto& [i, k] : movers) {
         if (mesh_.dimension() != d) return false;
         const double cost = report.cost - before;
         if (!source.empty() &&
-            Rebuild_policy<d>::exceeds_rebuild_one_by_one(cost, source.size(), movers.size(), mesh_.vertices()))
+            Rebuild_policy<d>::exceeds_rebuild_one_by_one(cost, source.size(), movers.size(), rebuild))
             return false;
         source.emplace_back(i, positions()[at(i)]);
         strategy_->move(i, points[k], report);

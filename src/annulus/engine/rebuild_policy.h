@@ -18,6 +18,10 @@ class Rebuild_policy {
     [[nodiscard]] static double rebuild_cost(std::size_t vertices) {
         return Cost_model<d>::rebuild * static_cast<double>(vertices);
     }
+    /// The same when all tolerances are recomputed afterwards.
+    [[nodiscard]] static double rebuild_with_tolerances_cost(std::size_t vertices) {
+        return (Cost_model<d>::rebuild + Cost_model<d>::recomputation) * static_cast<double>(vertices);
+    }
     /// The cost at which repair gives up.
     [[nodiscard]] static double repair_limit(std::size_t vertices) { return share() * static_cast<double>(vertices); }
     /// The same for steps that are not promised to cost so little: a small mesh is not rebuilt only because it is
@@ -27,11 +31,10 @@ class Rebuild_policy {
     /// The cost at which work on a part gives up and everything is rebuilt instead.
     [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 4000.0 + rebuild_cost(vertices); }
     /// For vertices that move one by one, `done` of them at this cost so far: whether all `movers` are going to cost
-    /// more than a rebuild, judging by these. False until they have cost an eighth of a rebuild, so that they are
-    /// evidence.
+    /// more than a rebuild of this cost, judging by these. False until they have cost an eighth of it, so that they
+    /// are evidence.
     [[nodiscard]] static bool exceeds_rebuild_one_by_one(double cost, std::size_t done, std::size_t movers,
-                                                         std::size_t vertices) {
-        const double rebuild = rebuild_cost(vertices);
+                                                         double rebuild) {
         return cost > rebuild / 8.0 && cost / static_cast<double>(done) * static_cast<double>(movers) > rebuild;
     }
     /// The same for a strategy that moves vertices one by one: whether they have cost more than a rebuild plus what

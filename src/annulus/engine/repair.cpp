@@ -38,8 +38,17 @@ void Repair<d>::count(Step<d>& step, const Stage_counts& evaluated) {
     step.budget.charge(Certificate_checker<d>::cost(evaluated));
 }
 
+/// Where a mover has turned cells over, the tolerances of their facets cost an exact evaluation each and are not used:
+/// signs come first.
 template <int d>
 bool Repair<d>::evaluate(Step<d>& step) {
+    if (step.mover != none) {
+        for (const auto& s : checker_.cells())
+            if (signs_.is_inverted(s.id)) signs_.inverted().push_back(s.id);
+        step.count(signs_.take_counts());
+        if (goes_far(step.mover)) return false;
+        signs_.inverted().clear();
+    }
     count(step, checker_.evaluate());
     return checker_.all_hold() && border_holds(step, step.mover == none, false);
 }
@@ -81,12 +90,7 @@ bool Repair<d>::repair_all(Step<d>& step, std::span<const Coordinates<d>> old) {
 template <int d>
 bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     Budget& budget = step.budget;
-    const double cost = reinsertion_cost(step.mover);
-    // Where many of its cells are inverted, holding back and flips cost more than reinsertion, and lead nowhere half of
-    // the time.
-    constexpr double share = d == 2 ? 0.3 : 0.5;
-    const bool far = Cost_model<d>::inverted * static_cast<double>(turned_over(step)) > share * cost;
-    if (!far) {
+    if (!goes_far(step.mover)) {
         // Otherwise reinsertion finds the other vertex, or the rebuild does.
         if (is_occupied(step)) throw Error(Error_code::duplicate_point, "another vertex is at that position");
         const double limit =
@@ -99,18 +103,19 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     const std::vector<Cell_index>& touched = flip_repair_.result().touched;
     mesh_.restore_cells(x, touched, step.renumbered);
     budget.charge(Cost_model<d>::flip * static_cast<double>(touched.size()));
+    const double cost = reinsertion_cost(step.mover);
     if (cost <= Rebuild_policy<d>::generous_rebuild_limit(mesh_.vertices()) && reinsert(step, x, target, cost))
         return true;
     x[at(step.mover)] = target;
     return false;
 }
 
-/// The number of cells of the mover that are inverted at its target, as far as they were tested.
+/// Whether so many cells of the mover are inverted at its target that holding back and flips would cost more than
+/// reinsertion, and lead nowhere half of the time. Precondition: the inverted ones, or none, are on the list.
 template <int d>
-std::size_t Repair<d>::turned_over(const Step<d>& step) {
-    if (step.scope != Scope::expired) return signs_.inverted().size();
-    return static_cast<std::size_t>(std::count_if(checker_.cells().begin(), checker_.cells().end(),
-                                                  [this](const auto& s) { return checker_.is_violated(s); }));
+bool Repair<d>::goes_far(Index mover) const {
+    constexpr double share = d == 2 ? 0.3 : 0.5;
+    return Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) > share * reinsertion_cost(mover);
 }
 
 /// The cost of removing v and inserting it again: the cavity is filled with the triangulation of its neighbours,

@@ -36,7 +36,8 @@ class Repair {
     /// Starts an examination at step.x: nothing is pending and nothing is found yet. The step must outlive it.
     void begin(Step<d>& step);
 
-    /// Evaluates what is pending, in one batch. True when all of it holds and the border winds once.
+    /// Evaluates what is pending, in one batch. True when all of it holds and the border winds once. False, with
+    /// nothing evaluated but signs of cells, for a single mover that goes so far that it is going to be reinserted.
     ///
     /// Signs alone do not exclude a surface that winds several times (a pentagon permuted into a pentagram turns left
     /// everywhere). With all cells positive and the border locally convex, everything is embedded if and only if the
@@ -69,7 +70,7 @@ class Repair {
     [[nodiscard]] bool holds_after_flips(Step<d>& step, const Repair_result& result);
     [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost);
     [[nodiscard]] bool is_occupied(Step<d>& step);
-    [[nodiscard]] std::size_t turned_over(const Step<d>& step);
+    [[nodiscard]] bool goes_far(Index mover) const;
     [[nodiscard]] double reinsertion_cost(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);
 

@@ -53,6 +53,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
     /// The same; without tolerances nothing is evaluated: the first time steps tell whether tolerances pay.
     void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
+    [[nodiscard]] bool begins_with_tolerances() const override { return means_ == Means::tolerances; }
     void refresh_all(Move_report& report) override;
     void refresh_rebuilt(Move_report& report) override {
         if (!rebuilding_) refresh_all(report);
