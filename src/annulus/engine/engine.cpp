@@ -71,13 +71,25 @@ void Engine<d>::recover(std::size_t bound, Index fresh) noexcept {
     whole_ = false;
     try {
         strategy_->truncate(bound);
-        mesh_.restore(positions(), fresh);
-        Move_report discarded;
-        strategy_->begin(positions(), discarded);
+        restore_cells(fresh);
         whole_ = true;
     } catch (...) {
         mesh_.clear_cells();
     }
+}
+
+/// Tolerances that are not certified may let two positions coincide. Those at which the mesh was Delaunay do not.
+template <int d>
+void Engine<d>::restore_cells(Index fresh) {
+    try {
+        mesh_.restore(positions(), fresh);
+    } catch (const Error&) {
+        mesh_.restore(strategy_->delaunay_positions().first(index_bound()), fresh);
+        strategy_->resume_at_delaunay_positions();
+        return;
+    }
+    Move_report discarded;
+    strategy_->begin(positions(), discarded);
 }
 
 template <int d>

@@ -66,6 +66,7 @@ class Engine {
     template <class Call>
     void guarded_moves(std::span<const Index> movers, std::span<const Point> targets, Call call);
     void recover(std::size_t bound, Index fresh) noexcept;
+    void restore_cells(Index fresh);
     void require_whole();
     void rebuild_all(std::span<const Point> x, Move_report& report);
     [[nodiscard]] Index vertex_at(const Point& p, std::size_t bound) const;

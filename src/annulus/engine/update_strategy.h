@@ -31,6 +31,8 @@ class Update_strategy {
     /// Takes the present triangulation and positions x as they are, as Delaunay. When it throws, no position was
     /// written. O(n).
     virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    /// Whether `begin` computes every tolerance.
+    [[nodiscard]] virtual bool begins_with_tolerances() const { return false; }
     /// Recomputes every tolerance, if tolerances are kept. O(n).
     virtual void refresh_all(Move_report& report) = 0;
     /// To be called after other code has replaced all cells.
@@ -79,6 +81,9 @@ class Update_strategy {
     /// before anything else.
     [[nodiscard]] virtual std::span<const Coordinates<d>> delaunay_positions() const { return positions(); }
     virtual void resume_after_rollback() = 0;
+    /// To be called after the cells have been rebuilt at delaunay_positions(), because positions() coincide:
+    /// recomputes what is kept of them. positions() stay.
+    virtual void resume_at_delaunay_positions() {}
 
   protected:
     void set_strategy(Strategy strategy) noexcept { strategy_ = strategy; }

@@ -57,6 +57,7 @@ class Paper_strategy : public Rebuild_strategy<d> {
     void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
     void commit_transaction(Move_report& report) override;
     void rollback() noexcept override;
+    void resume_at_delaunay_positions() override;
     [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
         const bool at_fixed = has_switched() && (safe_region_ || tolerances_.kind() != Tolerance_kind::certified);
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
@@ -83,6 +84,7 @@ class Paper_strategy : public Rebuild_strategy<d> {
     }
     void resize();
     void forget_queue() noexcept;
+    void compute_tolerances(Move_report& report);
     void set_tolerance(Index v, double tolerance);
     void set_unlimited(Index v);
     void lower(Index v, double tolerance);

@@ -37,14 +37,29 @@ void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, 
     resize();
     if (own) x = this->position_;
     std::copy(x.begin(), x.end(), state_.fixed.begin());
-    std::fill(state_.epsilon.begin(), state_.epsilon.end(), no_limit);
-    std::fill(state_.threshold.begin(), state_.threshold.end(), 0.0);
-    if (this->mesh().dimension() == d) {
-        tolerances_.note_everything(state_.fixed, least_, report);
-        least_.take([this](Index v, double tolerance) { set_tolerance(v, tolerance); });
-    }
+    compute_tolerances(report);
     // Last: after an exception the mesh is rebuilt at the old positions.
     if (!own) std::copy(x.begin(), x.end(), this->position_.begin());
+}
+
+/// Computes every tolerance at the fixed positions.
+template <int d>
+void Paper_strategy<d>::compute_tolerances(Move_report& report) {
+    std::fill(state_.epsilon.begin(), state_.epsilon.end(), no_limit);
+    std::fill(state_.threshold.begin(), state_.threshold.end(), 0.0);
+    if (this->mesh().dimension() != d) return;
+    tolerances_.note_everything(state_.fixed, least_, report);
+    least_.take([this](Index v, double tolerance) { set_tolerance(v, tolerance); });
+}
+
+/// A vertex that is beyond its tolerance is relocated when it moves next.
+template <int d>
+void Paper_strategy<d>::resume_at_delaunay_positions() {
+    forget_queue();
+    least_.clear();
+    resize();
+    Move_report discarded;
+    compute_tolerances(discarded);
 }
 
 template <int d>

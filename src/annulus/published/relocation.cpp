@@ -16,11 +16,16 @@ auto Relocation<d>::move(std::span<Coordinates<d>> x, Index v, const Coordinates
     if (mesh_.dimension() == d && (in_place_ || flips_)) {
         Coordinates<d>& place = x[static_cast<std::size_t>(v)];
         const Coordinates<d> old = std::exchange(place, p);
-        if (in_place_ && star_holds<d>(table, x, v)) {
-            outcome = &Move_counts::kept_in_place;
-        } else if constexpr (d == 2) {
-            if (flips_ && flip_after_move(table, x, v, signs_, changed))
-                outcome = changed.empty() ? &Move_counts::kept_in_place : &Move_counts::flipped;
+        try {
+            if (in_place_ && star_holds<d>(table, x, v)) {
+                outcome = &Move_counts::kept_in_place;
+            } else if constexpr (d == 2) {
+                if (flips_ && flip_after_move(table, x, v, signs_, changed))
+                    outcome = changed.empty() ? &Move_counts::kept_in_place : &Move_counts::flipped;
+            }
+        } catch (...) {
+            place = old;
+            throw;
         }
         if (outcome == nullptr) place = old;
     }
