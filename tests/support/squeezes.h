@@ -153,6 +153,7 @@ std::optional<Squeeze<T, d, n>> between_planes(const std::array<Vector_of<T, d>,
     const T norm = dot(v, v);
     if (norm == 0) return std::nullopt;
     const T height = dot(v, difference(y[parts.other], y[parts.first]));
+    using std::abs;
     Squeeze<T, d, n> s{part, false, Root_of<T>(abs(real(height)) / (2 * root(norm))), {}};
     const auto u = unit_vector(v, height < 0 ? -1 : 1);
     for (std::size_t i = 0; i < n; ++i)
@@ -186,6 +187,7 @@ std::optional<Squeeze<T, d, n>> between_spheres(const std::array<Vector_of<T, d>
     const auto a = difference(y[parts.first], centre), b = difference(y[parts.other], centre);
     const T inner = dot(a, a), outer = dot(b, b);
     const T gap = outer - inner;
+    using std::abs;
     Squeeze<T, d, n> s{part, gap > 0, Root_of<T>(abs(real(gap)) / (2 * (root(inner) + root(outer)))), {}};
     for (std::size_t i = 0; i < n; ++i) {
         const bool in_part = (part >> i & 1U) != 0;

@@ -80,7 +80,7 @@ template <class Traits>
 void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
     const auto written = [this](Cell_handle c) {
         std::string s;
-        for (const Index v : points_of(c)) s += v == infinite ? " infinity" : " " + std::to_string(v);
+        for (const Index v : points_of(c)) s.append(1, ' ').append(v == infinite ? "infinity" : std::to_string(v));
         return s;
     };
     // Whether the facet of c opposite to slot i is that of n opposite to slot j.
