@@ -18,7 +18,7 @@ namespace bench {
 class Lloyd {
   public:
     static constexpr int dimension = 2;
-    using Moving = annulus::Moving_delaunay_2;
+    using Moving = annulus::Moving_mesh_2;
 
     explicit Lloyd(const annulus::cli::Lloyd_scene& scene)
         : points_(scene.points), spacing_(scene.spacing()), guide_(points_), lloyd_(scene.domain, scene.density, 1) {}
@@ -28,7 +28,7 @@ class Lloyd {
     [[nodiscard]] std::pair<double, double> next(Points<2>& target) {
         const double begin = watch_.seconds();
         if (cells_changed_) annulus::cli::read_stars(guide_, stars_);
-        const annulus::Lloyd_step step = lloyd_.step(stars_, guide_.positions(), target, memory_);
+        const annulus::Lloyd_step step = lloyd_.step(stars_, guide_.points(), target, memory_);
         const double taken = watch_.seconds() - begin;
         cells_changed_ = annulus::cli::changes_cells(guide_.move_all(std::span<const annulus::Coordinates<2>>(target)));
         return {taken, step.mean_displacement / spacing_};
@@ -49,7 +49,7 @@ class Lloyd {
 class Nodt {
   public:
     static constexpr int dimension = 3;
-    using Moving = annulus::Moving_delaunay_3;
+    using Moving = annulus::Moving_mesh_3;
 
     Nodt(const annulus::cli::Nodt_scene& scene, const annulus::cli::Nodt_arguments& arguments)
         : scene_(scene), guide_(scene.points), nodt_(scene.motion(arguments, 1)) {}

@@ -26,10 +26,10 @@ class Rebuild_policy {
     [[nodiscard]] static double repair_limit(std::size_t vertices) { return share() * static_cast<double>(vertices); }
     /// The same for steps that are not promised to cost so little: a small mesh is not rebuilt only because it is
     /// small.
-    [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 4000.0 + repair_limit(vertices); }
+    [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 8000.0 + repair_limit(vertices); }
 
     /// The cost at which work on a part gives up and everything is rebuilt instead.
-    [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 4000.0 + rebuild_cost(vertices); }
+    [[nodiscard]] static double generous_rebuild_limit(std::size_t vertices) { return 8000.0 + rebuild_cost(vertices); }
     /// For vertices that move one by one, `done` of them at this cost so far: whether all `movers` are going to cost
     /// more than a rebuild of this cost, judging by these. False until they have cost an eighth of it, so that they
     /// are evidence.

@@ -122,10 +122,10 @@ bool Repair<d>::goes_far(Index mover) const {
 /// which in 2D takes the square of their number in bad cases.
 template <int d>
 double Repair<d>::reinsertion_cost(Index v) const {
-    constexpr double filled = d == 2 ? 22.5 : 100.0;
+    constexpr double filled = d == 2 ? 60.0 : 100.0;
     double cells = 0.0;
     mesh_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
-    const double filling = d == 2 ? filled * cells + 0.05 * cells * cells : filled * cells;
+    const double filling = d == 2 ? filled * cells + 0.14 * cells * cells : filled * cells;
     return std::max(Cost_model<d>::reinsertion, filling);
 }
 
