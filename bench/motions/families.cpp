@@ -12,7 +12,8 @@ namespace bench {
 template <int d>
 Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n, double spacings, std::uint64_t seed)
     : family_(family), motion_(motion), random_(seed), scale_(n, 1.0), face_(n, 0) {
-    if (std::find(std::begin(families), std::end(families), family) == std::end(families))
+    if (std::find(std::begin(families), std::end(families), family) == std::end(families) &&
+        std::find(std::begin(lattices), std::end(lattices), family) == std::end(lattices))
         throw std::invalid_argument("no family " + std::string(family));
     if (std::find(std::begin(kinds_of_motion), std::end(kinds_of_motion), motion) == std::end(kinds_of_motion))
         throw std::invalid_argument("no motion " + std::string(motion));
@@ -21,6 +22,7 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
     const double spacing = family == "sphere" || family == "faces" ? std::pow(12.0 / many, 1.0 / (d - 1))
                            : family == "slab"                      ? std::pow(0.01 / many, 1.0 / d)
                            : family == "ball"                      ? std::pow(4.0 / many, 1.0 / d)
+                           : family == "integers"                  ? 1.0
                                                                    : std::pow(1.0 / many, 1.0 / d);
     reach_ = spacings * spacing;
     const auto side = static_cast<std::size_t>(std::ceil(std::pow(many, 1.0 / d) - 1e-9));
@@ -52,6 +54,13 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
             for (double& c : p) {
                 c = static_cast<double>(rest % side) / static_cast<double>(side);
                 c += std::ldexp(static_cast<double>(static_cast<int>(random_.bits() % 3) - 1), -53);
+                rest /= side;
+            }
+        } else if (family == "jittered" || family == "integers") {
+            std::size_t rest = i;
+            for (double& c : p) {
+                const auto k = static_cast<double>(rest % side);
+                c = family == "integers" ? k : (k + 0.4 * c - 0.2) / static_cast<double>(side);
                 rest /= side;
             }
         }

@@ -18,6 +18,10 @@ namespace bench {
 /// sides of a square, a disc.
 inline constexpr std::string_view families[] = {"uniform", "sphere", "slab", "clusters", "faces", "lattice", "ball"};
 
+/// More families. jittered: a regular grid in the unit cube with noise of at most a fifth of a spacing. integers: a
+/// regular grid with integers as coordinates, where the corners of every cube are exactly cospherical.
+inline constexpr std::string_view lattices[] = {"jittered", "integers"};
+
 /// How points move. walk: every coordinate by independent Gaussians at every step. drift: all by the same, a Gaussian
 /// each step. shear: x += s spacings times y. few: one point in a hundred walks. burst: points rest, and at each eighth
 /// step walk by eight times as much.
