@@ -131,6 +131,8 @@ ANNULUS_AVX2 std::size_t find_clear(const Corner_table<d>& table, std::span<cons
     for (Cell_index c = first; c < last; ++c) {
         // The positions of a cell's neighbours are three dependent loads away.
         constexpr Index ahead = 16;
+        if (const Cell_index far(c.value() + 2 * ahead); d == 3 && far < last)
+            for (int i = 0; i <= d; ++i) table.prefetch_opposite(table.corner(far, i));
         if (const Cell_index far(c.value() + ahead); far < last)
             for (int i = 0; i <= d; ++i)
                 if (const Corner_index t = table.twin(table.corner(far, i)); t != no_corner)

@@ -75,6 +75,10 @@ class Corner_table {
     [[nodiscard]] Index vertex(Corner_index h) const { return vertex_[h]; }
     [[nodiscard]] Corner_index twin(Corner_index h) const { return twin_[h]; }
     [[nodiscard]] Site<d> site(Corner_index h) const { return Site<d>(vertex(h)); }
+    /// Brings the site of twin(h) into the cache.
+    void prefetch_opposite(Corner_index h) const {
+        if (const Corner_index t = twin(h); t != no_corner) __builtin_prefetch(&vertex_[t]);
+    }
     /// The site of twin(h), as seen from the cell of h.
     [[nodiscard]] Site<d> opposite(Corner_index h) const { return site(twin(h)); }
     /// The facet of which h is one half.
