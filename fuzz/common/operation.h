@@ -187,6 +187,11 @@ struct Program_of {
 using Program = Program_of<2>;
 using Program_3 = Program_of<3>;
 
+/// What a run of a program finds: the library's object and the model differ.
+struct Session_fault {
+    std::string words;
+};
+
 // ---- As code ------------------------------------------------------------------------------------------------------
 
 [[nodiscard]] std::string number_as_code(double x);

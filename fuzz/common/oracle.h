@@ -4,6 +4,8 @@
 // References of the fuzz targets and the property tests: a fresh CGAL triangulation of the same points, and the
 // tolerance of a vertex in rational arithmetic. Nothing here calls the library's arithmetic.
 
+#include "cells.h"
+#include "half_widths.h"
 #include "motion.h"
 
 #include <annulus/moving_delaunay_2.h>
@@ -19,11 +21,6 @@ namespace annulus::oracle {
 template <int d>
 struct Space;
 
-/// Sorted. In 2D each is turned so that its least vertex comes first; edges are (a < b, none). In 3D each
-/// is sorted, padded with `none` in front where points are flat.
-template <int d>
-using Cells_of = std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>>;
-
 template <>
 struct Space<2> {
     using Moving = Moving_delaunay_2;
@@ -31,22 +28,7 @@ struct Space<2> {
     static Coordinates<2> coordinates(const Moving::Point& p) { return {p.x(), p.y()}; }
 };
 
-using Cell = std::array<Index, 3>;
-using Cells = Cells_of<2>;
 using Sites = Sites_of<2>;
-
-[[nodiscard]] inline Cell canonical(Cell c) {
-    if (c[2] == none) return {std::min(c[0], c[1]), std::max(c[0], c[1]), none};
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    return c;
-}
-
-template <std::size_t corners>
-[[nodiscard]] std::array<Index, corners> canonical(std::array<Index, corners> c) {
-    static_assert(corners == 4);
-    std::sort(c.begin(), c.end());
-    return c;
-}
 
 /// The finite cells of any 2D triangulation whose vertices have an `index()`.
 template <class Triangulation>
@@ -70,13 +52,6 @@ template <class Triangulation>
 
 // ---- Tolerances in rational arithmetic ----------------------------------------------------------------------------
 
-inline constexpr mp_bitcnt_t precision = 320;
-
-/// Half the least altitude of a triangle that turns left, to 300 bits; 0 when it does not.
-[[nodiscard]] mpf_class half_altitude(const Position& a, const Position& b, const Position& c);
-/// Half the width of the standard annulus of the edge a b, p right of it and q left, by its centre; 0 when the circle
-/// is not empty.
-[[nodiscard]] mpf_class half_annulus(const Position& a, const Position& b, const Position& p, const Position& q);
 /// The least tolerance of the certificates of every vertex of a Delaunay triangulation of the sites; by index, 0 for
 /// a free one and for sites on one line.
 [[nodiscard]] std::vector<mpf_class> vertex_tolerances(const Moving_delaunay_2::Triangulation& tr, const Sites& sites);

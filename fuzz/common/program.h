@@ -45,9 +45,7 @@ class Session_of {
     Session_of(Strategy strategy, const std::vector<Coordinates<d>>& points)
         : Session_of(Program_of<d>{strategy, points, {}}) {}
 
-    struct Fault {
-        std::string words;
-    };
+    using Fault = Session_fault;
 
     [[nodiscard]] Moving& dt() { return *dt_; }
     [[nodiscard]] const Sites_of<d>& sites() const { return sites_; }

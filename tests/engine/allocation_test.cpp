@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A call that runs out of memory at its n-th allocation, for every n: the object is unchanged, and the same call
 // succeeds when there is memory again.
-#include "../../fuzz/common/operation.h"
-
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <common/operation.h>
 
 #include <support/catch.h>
 #include <support/failing_new.h>
 #include <support/generators.h>
 #include <support/repeats.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <functional>
@@ -26,15 +24,9 @@ namespace {
 using oracle::Setting;
 
 template <int d>
-using Moving_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+using Moving_of = testing::Viewed_mesh<d>;
 
-template <int d>
-typename Moving_of<d>::Point point(const Coordinates<d>& p) {
-    if constexpr (d == 2) return {p[0], p[1]};
-    else return {p[0], p[1], p[2]};
-}
-
-constexpr std::size_t removed = 4;
+constexpr Index removed = 4;
 
 /// Small whole numbers: cospherical, coplanar, and moves flip.
 template <int d>
@@ -65,7 +57,7 @@ struct Scene {
         dt = std::make_unique<Moving>(points, options);
         for (auto& p : points) p[0] += 0x1p-6 * p[1];
         (void)dt->move_all(points);
-        dt->remove(dt->vertex(3));
+        dt->remove(3);
         points[0][1] += 0.5;
         (void)dt->move(0, points[0]);
     }
@@ -97,7 +89,6 @@ std::vector<Call<d>> calls() {
         for (std::size_t i = 0; i < x.size(); ++i) x[i] = {static_cast<double>(i)};
         return x;
     };
-    const auto v = [](const Scene<d>& s, std::size_t i) { return s.dt->vertex(i); };
     Coordinates<d> inside;
     inside.fill(4.25);
     Coordinates<d> outside;
@@ -112,12 +103,12 @@ std::vector<Call<d>> calls() {
         {"move, near", [=](Scene<d>& s) { (void)s.dt->move(1, moved(s, 0.3)[1]); }},
         {"move, through the middle", [=](Scene<d>& s) { (void)s.dt->move(1, inside); }},
         {"move, outside", [=](Scene<d>& s) { (void)s.dt->move(2, outside); }},
-        {"insert", [=](Scene<d>& s) { s.dt->insert(point<d>(inside)); }},
-        {"insert outside", [=](Scene<d>& s) { s.dt->insert(point<d>(outside)); }},
-        {"remove", [=](Scene<d>& s) { s.dt->remove(v(s, removed)); }},
+        {"insert", [=](Scene<d>& s) { s.dt->insert(inside); }},
+        {"insert outside", [=](Scene<d>& s) { s.dt->insert(outside); }},
+        {"remove", [=](Scene<d>& s) { s.dt->remove(removed); }},
         {"recompute_tolerances", [](Scene<d>& s) { (void)s.dt->recompute_tolerances(); }},
-        {"tolerance", [=](Scene<d>& s) { (void)s.dt->tolerance(v(s, 5)); }, true},
-        {"theta", [=](Scene<d>& s) { (void)s.dt->theta(v(s, 5)); }, true},
+        {"tolerance", [=](Scene<d>& s) { (void)s.dt->tolerance(5); }, true},
+        {"theta", [=](Scene<d>& s) { (void)s.dt->theta(5); }, true},
         {"measure", [](Scene<d>& s) { (void)s.dt->measure(); }, true},
         {"audit", [](Scene<d>& s) { (void)s.dt->audit(); }, true},
         {"audit_input", [](Scene<d>& s) { (void)s.dt->audit_input(); }, true},
@@ -125,22 +116,21 @@ std::vector<Call<d>> calls() {
 }
 
 /// Empty, or the fault of an object between calls.
-template <class Moving>
-std::string fault(const Moving& dt) {
+template <int d>
+std::string fault(const Moving_of<d>& dt) {
     const Audit_result audit = dt.audit();
     if (!audit.delaunay()) return "audit: " + audit.first_fault;
-    if (!dt.triangulation().tds().is_valid()) return "CGAL's object is not valid";
-    for (std::size_t i = 0; i < dt.index_bound(); ++i) {
-        const auto v = dt.vertex(i);
-        if (v == typename Moving::Vertex_handle()) continue;
-        if (v->point() != dt.position(v)) return "CGAL's point is not the position";
-        if (!(dt.tolerance(v) >= 0)) return "a tolerance is negative or NaN";
+    if (!dt.view_is_valid()) return "CGAL's object is not valid";
+    for (Index i = 0; i < static_cast<Index>(dt.index_bound()); ++i) {
+        if (!dt.is_vertex(i)) continue;
+        if (dt.view_point(i) != dt.position(i)) return "CGAL's point is not the position";
+        if (!(dt.tolerance(i) >= 0)) return "a tolerance is negative or NaN";
     }
     return {};
 }
 
 template <int d>
-auto cells_of(const Moving_of<d>& dt) {
+auto sorted_cells(const Moving_of<d>& dt) {
     auto cells = dt.audit_input().cells;
     for (auto& c : cells) std::sort(c.begin(), c.end());
     std::sort(cells.begin(), cells.end());
@@ -153,11 +143,10 @@ std::string identity(const Scene<d>& scene) {
     std::ostringstream said;
     said << std::hexfloat;
     const auto& dt = *scene.dt;
-    for (std::size_t i = 0; i < dt.index_bound(); ++i) {
-        const auto v = dt.vertex(i);
-        if (v == typename Scene<d>::Moving::Vertex_handle()) continue;
-        said << i << ' ' << &*v << ' ' << dt.index(v);
-        for (const double c : dt.positions()[i]) said << ' ' << c;
+    for (Index i = 0; i < static_cast<Index>(dt.index_bound()); ++i) {
+        if (!dt.is_vertex(i)) continue;
+        said << i << ' ' << dt.handle(i) << ' ' << dt.handle_index(i);
+        for (const double c : dt.points()[static_cast<std::size_t>(i)]) said << ' ' << c;
         said << '\n';
     }
     return said.str();
@@ -169,32 +158,32 @@ template <int d>
 std::string starve_at(std::uint64_t n, const Setting& setting, const Call<d>& call, Memory memory, bool& done) {
     Scene<d> scene(setting);
     auto& dt = *scene.dt;
-    const auto cells = cells_of<d>(dt);
+    const auto cells = sorted_cells<d>(dt);
     const std::string same = identity(scene);
     const Starved became = starve(n, memory, [&] { call.make(scene); });
     done = became == Starved::done;
     if (became == Starved::refused) {
         // A vertex whose removal ran out of memory may be gone, and then nothing else is missing.
-        const bool gone = dt.vertex(removed) == typename Scene<d>::Moving::Vertex_handle();
+        const bool gone = !dt.is_vertex(removed);
         if (gone && call.name != "remove") return "a vertex is gone";
         if (!gone && identity(scene) != same) return "positions, indices or handles changed";
         if (memory == Memory::short_for_good && !call.is_const && !dt.audit().delaunay()) {
             (void)dt.measure();
-            (void)dt.tolerance(dt.vertex(5));
+            (void)dt.tolerance(5);
             (void)dt.recompute_tolerances();
         }
-        if (!gone && cells_of<d>(dt) != cells) return "cells changed";
-        if (const std::string words = fault(dt); !words.empty()) return words;
+        if (!gone && sorted_cells<d>(dt) != cells) return "cells changed";
+        if (const std::string words = fault<d>(dt); !words.empty()) return words;
         if (!gone) call.make(scene);
     }
-    if (const std::string words = fault(dt); !words.empty()) return "and again: " + words;
+    if (const std::string words = fault<d>(dt); !words.empty()) return "and again: " + words;
     // State that it left behind may cause faults later.
     auto x = lattice<d>(dt.index_bound(), 11);
     (void)dt.move_all(x);
-    if (const std::string words = fault(dt); !words.empty()) return "and on: " + words;
+    if (const std::string words = fault<d>(dt); !words.empty()) return "and on: " + words;
     for (auto& p : x) p[0] += 0x1p-5 * p[1];
     (void)dt.move_all(x);
-    if (const std::string words = fault(dt); !words.empty()) return "and further on: " + words;
+    if (const std::string words = fault<d>(dt); !words.empty()) return "and further on: " + words;
     return {};
 }
 
@@ -246,9 +235,9 @@ TEST_CASE("A thread whose memory ran out once can go on triangulating space", "[
     std::thread([&] {
         const auto points = lattice<3>(40, 3);
         for (std::uint64_t n = 0;; n += 1 + n / 16) {
-            const Starved became = starve(n, Memory::short_once, [&] { const Moving_delaunay_3 dt(points); });
+            const Starved became = starve(n, Memory::short_once, [&] { const Moving_of<3> dt(points); });
             try {
-                const Moving_delaunay_3 dt(points);
+                const Moving_of<3> dt(points);
                 if (!dt.audit().delaunay()) words = "audit";
             } catch (const std::exception& e) {
                 words = std::string("threw ") + e.what();

@@ -6,7 +6,7 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <support/catch.h>
 #include <support/generators.h>
-#include <support/session_3.h>
+#include <support/point_sets_3.h>
 
 #include <map>
 #include <type_traits>

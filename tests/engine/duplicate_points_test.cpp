@@ -2,19 +2,16 @@
 // The error of a duplicate point names both vertices, and other errors the vertex that they concern, for every call and
 // every strategy.
 #include <annulus/arithmetic/error.h>
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
-#include <support/generators.h>
-
 #include <support/catch.h>
+#include <support/generators.h>
+#include <support/viewed_mesh.h>
 
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -76,24 +73,6 @@ constexpr Strategy strategies[] = {Strategy::automatic,       Strategy::rebuild,
                                    Strategy::tolerances_each, Strategy::paper,    Strategy::paper_hybrid};
 
 template <class Mesh, int d>
-auto point_for(const Coordinates<d>& p) {
-    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) return p;
-    else return std::apply([](auto... c) { return typename Mesh::Point(c...); }, p);
-}
-
-template <class Mesh, int d>
-std::span<const Coordinates<d>> now(const Mesh& mesh) {
-    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) return mesh.points();
-    else return mesh.positions();
-}
-
-template <class Mesh, int d>
-void remove(Mesh& mesh, Index i) {
-    if constexpr (std::is_same_v<Mesh, Moving_mesh<d>>) mesh.remove(i);
-    else mesh.remove(mesh.vertex(static_cast<std::size_t>(i)));
-}
-
-template <class Mesh, int d>
 void check_everything(const Positions<d>& points, const Options& options) {
     const auto span = [](const Positions<d>& x) { return std::span<const Coordinates<d>>(x); };
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -129,7 +108,7 @@ void check_everything(const Positions<d>& points, const Options& options) {
         x[10] = x[0];
         check_told([&] { (void)mesh.move_all(span(x)); }, duplicate_point, {0, 10},
                    "vertices 0 and 10 would have the same position");
-        check_told([&] { (void)mesh.insert(point_for<Mesh, d>(points[7])); }, duplicate_point, {7},
+        check_told([&] { (void)mesh.insert(points[7]); }, duplicate_point, {7},
                    "vertex 7 has the position of the point to be inserted");
         x = points;
         x[3][0] = 0x1p501;
@@ -141,11 +120,11 @@ void check_everything(const Positions<d>& points, const Options& options) {
                    "a coordinate of vertex 5 is larger than 2^500 in magnitude");
         check_told([&] { (void)mesh.move(1000, points[0]); }, Error_code::unknown_vertex, {1000},
                    "no vertex has index 1000");
-        CHECK(Positions<d>(now<Mesh, d>(mesh).begin(), now<Mesh, d>(mesh).end()) == points);
+        CHECK(Positions<d>(mesh.points().begin(), mesh.points().end()) == points);
         CHECK(mesh.audit().delaunay());
     }
     // The position of a removed vertex is free for others, and no error names a free index.
-    remove<Mesh, d>(mesh, 4);
+    mesh.remove(4);
     check_told([&] { (void)mesh.move(4, points[0]); }, Error_code::unknown_vertex, {4}, "no vertex has index 4");
     x = points;
     x[8] = points[4];
@@ -159,7 +138,6 @@ void check_everything(const Positions<d>& points, const Options& options) {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("Every collision names both vertices, dimension", "[errors]", ((int d), d), 2, 3) {
-    using Cgal = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
     for (const Positions<d>& points : point_sets<d>())
         for (const Strategy strategy : strategies)
             for (const bool listing : {false, true}) {
@@ -169,7 +147,7 @@ TEMPLATE_TEST_CASE_SIG("Every collision names both vertices, dimension", "[error
                 INFO(std::string(name_of(strategy))
                      << ", " << points.size() << " points" << (listing ? ", changes listed" : ""));
                 check_everything<Moving_mesh<d>, d>(points, options);
-                check_everything<Cgal, d>(points, options);
+                check_everything<testing::Viewed_mesh<d>, d>(points, options);
             }
 }
 

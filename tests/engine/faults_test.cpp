@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults that a review found in the public class, each as a test that fails without its repair.
 
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -22,7 +21,7 @@ using namespace annulus;
 namespace {
 
 template <int d>
-using Moving = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+using Moving = testing::Viewed_mesh<d>;
 
 template <int d>
 std::vector<Coordinates<d>> uniform(std::size_t n, std::uint64_t seed) {
@@ -63,23 +62,23 @@ TEMPLATE_TEST_CASE_SIG("Moving everything to where it is changes nothing, whatev
                        ((int d), d), 2, 3) {
     for (const Strategy strategy : strategies) {
         Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 1)), with(strategy));
-        const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
-        for (int i = 0; i < 6; ++i) dt.move_all(dt.positions());  // paper-hybrid switches to `paper` here
-        CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
+        const std::vector<Coordinates<d>> before(dt.points().begin(), dt.points().end());
+        for (int i = 0; i < 6; ++i) dt.move_all(dt.points());  // paper-hybrid switches to `paper` here
+        CHECK(std::vector<Coordinates<d>>(dt.points().begin(), dt.points().end()) == before);
         CHECK(dt.audit().delaunay());
-        dt.move(0, dt.positions()[0]);
+        dt.move(0, dt.points()[0]);
         CHECK(dt.audit().delaunay());
     }
 }
 
 TEMPLATE_TEST_CASE_SIG("A time step that paper-hybrid refuses does not switch it", "[faults]", ((int d), d), 2, 3) {
     Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(60, 8)), with(Strategy::paper_hybrid));
-    std::vector<Coordinates<d>> meeting(dt.positions().begin(), dt.positions().end());
+    std::vector<Coordinates<d>> meeting(dt.points().begin(), dt.points().end());
     meeting[1] = meeting[0];
     CHECK_THROWS_AS(dt.move_all(std::span<const Coordinates<d>>(meeting)), Error);
     CHECK(dt.strategy() == Strategy::paper_hybrid);
     CHECK(dt.audit().delaunay());
-    for (int i = 0; i < 8; ++i) dt.move_all(dt.positions());
+    for (int i = 0; i < 8; ++i) dt.move_all(dt.points());
     CHECK(dt.strategy() == Strategy::paper);
     CHECK(dt.audit().delaunay());
 }
@@ -87,11 +86,11 @@ TEMPLATE_TEST_CASE_SIG("A time step that paper-hybrid refuses does not switch it
 TEMPLATE_TEST_CASE_SIG("Flips and relocations are counted as what they are", "[faults]", ((int d), d), 2, 3) {
     Moving<d> dt(std::span<const Coordinates<d>>(uniform<d>(80, 2)), with(Strategy::relocate_flips));
     // No star can follow a move across the whole set.
-    Coordinates<d> far = dt.positions()[0];
+    Coordinates<d> far = dt.points()[0];
     for (double& c : far) c = c > 0 ? c - 1.0 : c + 1.0;
     CHECK(dt.move(0, far).moves.reinserted == 1);
     // A tiny move needs no relocation.
-    Coordinates<d> near = dt.positions()[1];
+    Coordinates<d> near = dt.points()[1];
     near[0] += 1e-9;
     CHECK(dt.move(1, near).moves.reinserted == 0);
     CHECK(dt.audit().delaunay());
@@ -101,8 +100,8 @@ TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", (
     const auto x = uniform<d>(60, 3);
     Moving<d> clean(std::span<const Coordinates<d>>(x), {});
     Moving<d> other(std::span<const Coordinates<d>>(x), {});
-    clean.remove(clean.vertex(7));
-    other.remove(other.vertex(7));
+    clean.remove(7);
+    other.remove(7);
     auto y = x;
     for (int step = 0; step < 20; ++step) {
         for (std::size_t i = 0; i < y.size(); ++i) y[i][0] += 1e-4 * x[i][1];
@@ -112,8 +111,8 @@ TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", (
                                      : std::numeric_limits<double>::infinity());
         CHECK(numbers(clean.move_all(std::span<const Coordinates<d>>(y))) ==
               numbers(other.move_all(std::span<const Coordinates<d>>(junk))));
-        for (std::size_t i = 0; i < y.size(); ++i)
-            if (i != 7) REQUIRE(clean.tolerance(clean.vertex(i)) == other.tolerance(other.vertex(i)));
+        for (Index i = 0; i < static_cast<Index>(y.size()); ++i)
+            if (i != 7) REQUIRE(clean.tolerance(i) == other.tolerance(i));
     }
     CHECK(other.audit().delaunay());
 }
@@ -142,7 +141,7 @@ TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]")
         for (int i = 0; i < 3000; ++i) held[random() % held.size()].reset();
         std::vector<std::uint64_t> counts;
         const auto x = uniform<3>(400, 5);
-        Moving_delaunay_3 dt(std::span<const Coordinates<3>>(x), {});
+        Moving<3> dt(std::span<const Coordinates<3>>(x), {});
         auto y = x;
         for (int step = 0; step < 12; ++step) {
             std::mt19937_64 walk(static_cast<std::uint64_t>(step));
@@ -151,11 +150,9 @@ TEST_CASE("The same input gives the same run, wherever memory lies", "[faults]")
                 for (double& c : p) c = std::clamp(c + 0.03 * normal(walk), -2.0, 2.0);
             for (const std::uint64_t n : numbers(dt.move_all(std::span<const Coordinates<3>>(y)))) counts.push_back(n);
         }
-        for (std::size_t i = 0; i < 40; ++i) dt.remove(dt.vertex(9 * i));
-        for (std::size_t i = 0; i < 400; ++i) {
-            if (dt.vertex(i) == Moving_delaunay_3::Vertex_handle()) continue;
-            counts.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(dt.vertex(i))));
-        }
+        for (Index i = 0; i < 40; ++i) dt.remove(9 * i);
+        for (Index i = 0; i < 400; ++i)
+            if (dt.is_vertex(i)) counts.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(i)));
         return counts;
     };
     const auto first = run(0);
@@ -175,18 +172,17 @@ TEMPLATE_TEST_CASE_SIG("More cells than indices can name are refused, and nothin
             int refused = 0;
             for (unsigned i = 0; i < 20; ++i) {
                 const auto x = uniform<d>(dt.index_bound() + 1, 100 + i);
-                const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
+                const std::vector<Coordinates<d>> before(dt.points().begin(), dt.points().end());
                 try {
-                    if (i % 2 == 0)
-                        dt.insert(std::apply([](auto... c) { return typename Moving<d>::Point(c...); }, x.back()));
+                    if (i % 2 == 0) dt.insert(x.back());
                     else dt.move_all(std::span(x).first(dt.index_bound()));
                 } catch (const Error& e) {
                     CHECK(e.code() == Error_code::too_large);
-                    CHECK(std::vector<Coordinates<d>>(dt.positions().begin(), dt.positions().end()) == before);
+                    CHECK(std::vector<Coordinates<d>>(dt.points().begin(), dt.points().end()) == before);
                     ++refused;
                 }
                 CHECK(dt.audit().delaunay());
-                CHECK(dt.number_of_vertices() == dt.positions().size());
+                CHECK(dt.number_of_vertices() == dt.points().size());
             }
             CHECK(refused >= 5);
             Horizons_of<d>::cells = wide;

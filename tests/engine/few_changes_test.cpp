@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Insertions and removals list changed cells from the places written to, without reading all cells: counted in bytes
 // allocated.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
 #include <support/failing_new.h>
+#include <support/viewed_mesh.h>
 
 #include <random>
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -25,33 +23,7 @@ Coordinates<d> anywhere(std::mt19937_64& random) {
 }
 
 template <int d>
-using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
-
-template <int d>
-void insert(Moving_mesh<d>& mesh, const Coordinates<d>& p, Move_report& report) {
-    (void)mesh.insert(p, &report);
-}
-template <int d>
-void insert(Delaunay_of<d>& dt, const Coordinates<d>& p, Move_report& report) {
-    (void)dt.insert(std::apply([](auto... c) { return typename Delaunay_of<d>::Point(c...); }, p), &report);
-}
-template <int d>
-void remove(Moving_mesh<d>& mesh, Index i, Move_report& report) {
-    mesh.remove(i, &report);
-}
-template <int d>
-void remove(Delaunay_of<d>& dt, Index i, Move_report& report) {
-    dt.remove(dt.vertex(static_cast<std::size_t>(i)), &report);
-}
-
-template <int d>
-auto positions(const Moving_mesh<d>& mesh) {
-    return mesh.points();
-}
-template <int d>
-auto positions(const Delaunay_of<d>& dt) {
-    return dt.positions();
-}
+using Delaunay_of = testing::Viewed_mesh<d>;
 
 template <int d, class Triangulation>
 void check_few(Strategy strategy) {
@@ -69,14 +41,14 @@ void check_few(Strategy strategy) {
         for (int k = 0; k < 8; ++k) {
             Move_report came, went;
             const Failing_new counting(std::uint64_t{1} << 60);
-            insert<d>(dt, anywhere<d>(random), came);
-            remove<d>(dt, k, went);
+            (void)dt.insert(anywhere<d>(random), &came);
+            dt.remove(k, &went);
             CHECK_FALSE(came.changed.empty());
             CHECK_FALSE(went.gone.empty());
             if (k > 0) CHECK(Failing_new::bytes() < all / 2);
         }
         if (strategy == Strategy::relocate) break;  // which is slow
-        std::vector<Coordinates<d>> x(positions<d>(dt).begin(), positions<d>(dt).end());
+        std::vector<Coordinates<d>> x(dt.points().begin(), dt.points().end());
         for (auto& p : x) p[0] *= 1 + 1e-9;
         (void)dt.move_all(std::span<const Coordinates<d>>(x));
         REQUIRE(dt.audit().delaunay());
@@ -108,8 +80,8 @@ TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same time steps, dimension
             const Coordinates<d> p = anywhere<d>(random);
             for (auto* dt : {&one, &other}) {
                 Move_report unused;
-                insert<d>(*dt, p, unused);
-                remove<d>(*dt, 3 + round, unused);
+                (void)dt->insert(p, &unused);
+                dt->remove(3 + round, &unused);
             }
             x.push_back(p);
             for (auto& q : x)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices inserted one by one while all of them are in a plane or on a line: no insertion rebuilds.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
 #include <support/failing_new.h>
+#include <support/viewed_mesh.h>
 
 #include <cstdint>
 #include <random>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -19,16 +17,7 @@ using namespace annulus::testing;
 namespace {
 
 template <int d>
-using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
-
-template <int d>
-void insert(Moving_mesh<d>& mesh, const Coordinates<d>& p) {
-    (void)mesh.insert(p);
-}
-template <int d>
-void insert(Delaunay_of<d>& dt, const Coordinates<d>& p) {
-    (void)dt.insert(std::apply([](auto... c) { return typename Delaunay_of<d>::Point(c...); }, p));
-}
+using Delaunay_of = testing::Viewed_mesh<d>;
 
 /// A lattice in scan order, `side` along the first d - 1 axes.
 template <int d>
@@ -56,14 +45,14 @@ void check(Strategy strategy) {
     std::uint64_t bytes = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const Failing_new counting(std::uint64_t{1} << 60);
-        insert<d>(dt, x[i]);
+        (void)dt.insert(x[i]);
         if (2 * i > x.size()) bytes += Failing_new::bytes();
     }
     CHECK(bytes < x.size() / 2 * 3 * x.size());  // listing all vertices for each takes more than 4 n
     CHECK(dt.audit().delaunay());
     Coordinates<d> above{};
     above[d - 1] = 1.0;
-    insert<d>(dt, above);
+    (void)dt.insert(above);
     CHECK(dt.cells().vertices.size() >= x.size() - 1);
     CHECK(dt.audit().delaunay());
 }
@@ -87,24 +76,23 @@ TEMPLATE_TEST_CASE_SIG("Vertices come and go in a hyperplane, and into it and ou
         Options options;
         options.strategy = strategy;
         Delaunay_of<d> dt(options);
-        std::vector<typename Delaunay_of<d>::Vertex_handle> there;
+        std::vector<Index> there;
         for (int change = 0; change < 300; ++change) {
             CAPTURE(change);
             Coordinates<d> p{};
             const std::size_t free = random() % 12 == 0 ? d : 1 + random() % (d - 1);  // coordinates that are not 0
             for (std::size_t k = 0; k < free; ++k) p[k] = static_cast<double>(random() % 64);
-            const auto point = std::apply([](auto... c) { return typename Delaunay_of<d>::Point(c...); }, p);
             try {
                 if (random() % 3 == 0 && !there.empty()) {
                     const std::size_t k = random() % there.size();
                     if (random() % 2 == 0) {
-                        (void)dt.move(there[k], point);
+                        (void)dt.move(there[k], p);
                     } else {
                         dt.remove(there[k]);
                         there.erase(there.begin() + static_cast<std::ptrdiff_t>(k));
                     }
                 } else {
-                    there.push_back(dt.insert(point));
+                    there.push_back(dt.insert(p));
                 }
             } catch (const Error& e) {
                 REQUIRE(e.code() == Error_code::duplicate_point);
@@ -112,12 +100,12 @@ TEMPLATE_TEST_CASE_SIG("Vertices come and go in a hyperplane, and into it and ou
             const Audit_result verdict = dt.audit();
             INFO(verdict.first_fault);
             REQUIRE(verdict.delaunay());
-            REQUIRE(dt.triangulation().tds().is_valid());
-            REQUIRE(dt.triangulation().dimension() == dt.mesh().dimension());
+            REQUIRE(dt.view_is_valid());
+            REQUIRE(dt.view_dimension() == dt.mesh().dimension());
             // Mostly flat: removes vertices that are not in the hyperplane.
             if (dt.mesh().dimension() == d && random() % 2 == 0)
                 for (std::size_t k = there.size(); k-- > 0;)
-                    if (dt.positions()[static_cast<std::size_t>(dt.index(there[k]))][d - 1] != 0.0) {
+                    if (dt.points()[static_cast<std::size_t>(there[k])][d - 1] != 0.0) {
                         dt.remove(there[k]);
                         there.erase(there.begin() + static_cast<std::ptrdiff_t>(k));
                     }

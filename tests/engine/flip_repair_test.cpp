@@ -2,11 +2,12 @@
 // Large steps: walks of up to a spacing in every family of points, near-degenerate and with moving hulls; the cost of
 // repair, and where it arises.
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
-#include <common/program.h>
 
 #include <support/cases.h>
 #include <support/catch.h>
+#include <support/viewed_mesh.h>
 #include "../../bench/motions/families.h"
 
 #include <map>
@@ -18,7 +19,7 @@ using namespace annulus::testing;
 namespace {
 
 template <int d>
-using Moving_of = typename Space<d>::Moving;
+using Moving_of = Viewed_mesh<d>;
 
 template <int d>
 Moving_of<d> moving(const Points_of<d>& x, Strategy strategy) {
@@ -34,9 +35,9 @@ void check_cells(const Moving_of<d>& dt) {
     REQUIRE(audit.first_fault == "");
     REQUIRE(audit.delaunay());
     if (audit.degenerate_facets > 0) return;
-    const Points_of<d> x(dt.positions().begin(), dt.positions().end());
+    const Points_of<d> x(dt.points().begin(), dt.points().end());
     const Moving_of<d> rebuilt = moving<d>(x, Strategy::rebuild);
-    REQUIRE(cells_of(dt.triangulation()) == cells_of(rebuilt.triangulation()));
+    REQUIRE(cells_of(dt) == cells_of(rebuilt));
 }
 
 }  // namespace
@@ -206,18 +207,18 @@ TEMPLATE_TEST_CASE_SIG("A vertex that goes where another is refused, however far
         for_each_seed(10, [&](Random& random) {
             bench::Scene<d> scene("uniform", "walk", 50, 0.1, random());
             auto dt = moving<d>(scene.points(), strategy);
-            const auto cells = cells_of(dt.triangulation());
-            const auto tolerance = dt.tolerance(dt.vertex(0));
+            const auto cells = cells_of(dt);
+            const auto tolerance = dt.tolerance(0);
             for (Index to = 1; to < 50; ++to) {
                 try {
-                    dt.move(0, dt.positions()[static_cast<std::size_t>(to)]);
+                    dt.move(0, dt.points()[static_cast<std::size_t>(to)]);
                     FAIL("no duplicate point");
                 } catch (const Error& e) {
                     CHECK(e.code() == Error_code::duplicate_point);
                 }
             }
-            CHECK(cells_of(dt.triangulation()) == cells);
-            if (strategy == Strategy::tolerances) CHECK(dt.tolerance(dt.vertex(0)) == tolerance);
+            CHECK(cells_of(dt) == cells);
+            if (strategy == Strategy::tolerances) CHECK(dt.tolerance(0) == tolerance);
             check_cells<d>(dt);
         });
 }
@@ -248,7 +249,7 @@ TEMPLATE_TEST_CASE_SIG(
             }
             if (dt.mesh().dimension() != d) return;
             REQUIRE(dt.audit().first_fault == "");
-            REQUIRE(dt.triangulation().tds().is_valid());
+            REQUIRE(dt.view_is_valid());
         }
     };
     for (const Strategy strategy : {Strategy::tolerances_each, Strategy::tolerances, Strategy::automatic})

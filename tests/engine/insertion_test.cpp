@@ -2,21 +2,19 @@
 // Vertices inserted and removed one by one at hard positions: after each call the cells are those of a construction, in
 // both classes.
 #include <annulus/arithmetic/error.h>
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/arithmetic/limits.h>
 #include <annulus/moving_mesh.h>
 
+#include <support/catch.h>
 #include <support/generators.h>
 #include <support/meshes.h>
-
-#include <support/catch.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -25,47 +23,7 @@ using namespace annulus::testing;
 namespace {
 
 template <int d>
-using Moving_d = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
-
-template <int d>
-typename Moving_d<d>::Point point_of(const Coordinates<d>& p) {
-    if constexpr (d == 2) return Cgal_traits_2<No_info>::point(p);
-    else return Cgal_traits_3<No_info>::point(p);
-}
-
-/// Both classes under one name each.
-template <int d>
-Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p) {
-    return mesh.insert(p);
-}
-template <int d>
-Index insert(Moving_d<d>& dt, const Coordinates<d>& p) {
-    return dt.index(dt.insert(point_of<d>(p)));
-}
-template <int d>
-void remove(Moving_mesh<d>& mesh, Index i) {
-    mesh.remove(i);
-}
-template <int d>
-void remove(Moving_d<d>& dt, Index i) {
-    dt.remove(dt.vertex(static_cast<std::size_t>(i)));
-}
-template <int d>
-bool lives(const Moving_mesh<d>& mesh, std::size_t i) {
-    return mesh.is_vertex(static_cast<Index>(i));
-}
-template <int d>
-bool lives(const Moving_d<d>& dt, std::size_t i) {
-    return dt.vertex(i) != typename Moving_d<d>::Vertex_handle();
-}
-template <int d>
-std::span<const Coordinates<d>> places(const Moving_mesh<d>& mesh) {
-    return mesh.points();
-}
-template <int d>
-std::span<const Coordinates<d>> places(const Moving_d<d>& dt) {
-    return dt.positions();
-}
+using Moving_d = testing::Viewed_mesh<d>;
 
 /// Sorted cells, by the positions of their corners.
 template <int d>
@@ -84,10 +42,10 @@ Cells_at<d> cells_at(const Mesh_cells<d>& cells, std::span<const Coordinates<d>>
 
 template <int d, class Object>
 std::string fault_of(const Object& object) {
-    const auto x = places<d>(object);
+    const auto x = object.points();
     Points_d<d> living;
     for (std::size_t i = 0; i < object.index_bound(); ++i)
-        if (lives<d>(object, i)) living.push_back(x[i]);
+        if (object.is_vertex(static_cast<Index>(i))) living.push_back(x[i]);
     if (const auto fault = object.audit().first_fault; !fault.empty()) return fault;
     Options options;
     options.strategy = Strategy::rebuild;
@@ -159,15 +117,15 @@ void come_and_go(std::uint64_t seed, Strategy strategy) {
         CAPTURE(seed, step, name_of(strategy));
         if (living.size() > 2 && random() % 3 == 0) {
             const std::size_t k = random() % living.size();
-            remove<d>(object, living[k]);
+            object.remove(living[k]);
             living.erase(living.begin() + static_cast<std::ptrdiff_t>(k));
         } else {
             Points_d<d> here;
-            for (const Index v : living) here.push_back(places<d>(object)[static_cast<std::size_t>(v)]);
+            for (const Index v : living) here.push_back(object.points()[static_cast<std::size_t>(v)]);
             const Coordinates<d> p = hard_place<d>(random, here, 3);
             const bool taken = std::find(here.begin(), here.end(), p) != here.end();
             try {
-                living.push_back(insert<d>(object, p));
+                living.push_back(object.insert(p));
                 REQUIRE(!taken);
             } catch (const Error& e) {
                 REQUIRE(e.code() == Error_code::duplicate_point);
@@ -201,16 +159,16 @@ TEMPLATE_TEST_CASE_SIG("A lattice that is filled and thinned at random has the c
         std::size_t refused = 0;
         for (int step = 0; step < 2400; ++step) {
             const std::size_t bound = object.index_bound();
-            const std::size_t i = bound == 0 ? 0 : random() % bound;
-            if (step % 800 > 600 && lives<d>(object, i)) {
-                remove<d>(object, static_cast<Index>(i));
+            const auto i = static_cast<Index>(bound == 0 ? 0 : random() % bound);
+            if (step % 800 > 600 && object.is_vertex(i)) {
+                object.remove(i);
                 continue;
             }
             Coordinates<d> p{};
             for (double& c : p) c = integer(random, 0, side);
             if (step % 800 > 400) p[0] = 0.0;  // a wall
             try {
-                (void)insert<d>(object, p);
+                (void)object.insert(p);
             } catch (const Error& e) {
                 REQUIRE(e.code() == Error_code::duplicate_point);
                 ++refused;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long motions. A mechanism with a counter was once right for six thousand steps and wrong from then on: short tests do
 // not find such faults. tests/soak runs all motions, for any number of steps.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
-
 #include <support/catch.h>
 #include <support/motions.h>
 #include <support/repeats.h>
+#include <support/viewed_mesh.h>
 
 #include <bit>
 #include <memory>
@@ -16,8 +14,8 @@ using namespace annulus::testing;
 
 namespace {
 
-template <class Moving>
-constexpr int dimension = Moving::dimension_of_space;
+template <int d>
+using Moving_d = testing::Viewed_mesh<d>;
 
 /// Uniform in a box of side 100.
 template <int d>
@@ -30,10 +28,10 @@ std::vector<Coordinates<d>> uniform(std::size_t n, std::uint64_t seed) {
 }
 
 /// x += rate * y, audited every hundred steps. Empty, or the first fault.
-template <class Moving>
+template <int d>
 std::string shear(Strategy strategy, std::size_t n, std::uint64_t seed, double rate, int steps) {
-    auto x = uniform<dimension<Moving>>(n, seed);
-    Moving dt(x, Options{.strategy = strategy});
+    auto x = uniform<d>(n, seed);
+    Moving_d<d> dt(x, Options{.strategy = strategy});
     for (int step = 1; step <= steps; ++step) {
         for (auto& p : x) p[0] += rate * p[1];
         (void)dt.move_all(x);
@@ -54,7 +52,7 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
 
     Random random(8);
     Long_motion<3> motion(Motion_kind::walk_middle, 60, random);
-    Moving_delaunay_3 dt(motion.positions(), Options{.strategy = strategy});
+    Moving_d<3> dt(motion.positions(), Options{.strategy = strategy});
     std::vector<std::uint64_t> said;
     for (int step = 0; step < 40; ++step) {
         const Move_report report = dt.move_all(motion.advance());
@@ -62,8 +60,8 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
                                       report.moves.kept_in_place, report.moves.flipped, report.moves.reinserted})
             said.push_back(x);
     }
-    for (std::size_t i = 0; i < dt.index_bound(); ++i)
-        said.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(dt.vertex(i))));
+    for (Index i = 0; i < static_cast<Index>(dt.index_bound()); ++i)
+        said.push_back(std::bit_cast<std::uint64_t>(dt.tolerance(i)));
     return said;
 }
 
@@ -73,8 +71,8 @@ TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
     for (const Strategy strategy :
          {Strategy::tolerances, Strategy::paper, Strategy::automatic, Strategy::tolerances_each}) {
         CAPTURE(name_of(strategy));
-        CHECK(shear<Moving_delaunay_2>(strategy, 400, 1, 6e-5, repeats(8000)) == "");
-        CHECK(shear<Moving_delaunay_3>(strategy, 60, 2, 8e-5, repeats(8000)) == "");
+        CHECK(shear<2>(strategy, 400, 1, 6e-5, repeats(8000)) == "");
+        CHECK(shear<3>(strategy, 60, 2, 8e-5, repeats(8000)) == "");
     }
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steady motions that change suddenly: whatever a strategy has derived from them, it never leaves a wrong
 // triangulation, in 2D and in 3D.
-#include <common/program.h>
+
+#include <annulus/arithmetic/limits.h>
+
+#include <common/operation.h>
 
 #include <support/cases.h>
 #include <support/repeats.h>
+#include <support/viewed_mesh.h>
 
 #include <cmath>
 #include <set>
@@ -36,12 +40,6 @@ Points_of<d> lattice(int side) {
         points = more;
     }
     return points;
-}
-
-template <int d>
-std::size_t certificates(const typename Space<d>::Moving& dt) {
-    const auto cells = cells_of(dt.triangulation()).size();
-    return d == 2 ? 2 * cells : 3 * cells;  // cells and the facets between them: about
 }
 
 }  // namespace
@@ -158,7 +156,7 @@ TEMPLATE_TEST_CASE_SIG(
     Points_of<d> x(d == 2 ? 500 : 200);
     for (auto& p : x)
         for (double& c : p) c = between(random, -1.0, 1.0);
-    typename Space<d>::Moving dt(std::span<const Coordinates<d>>(x), {.strategy = Strategy::tolerances});
+    Viewed_mesh<d> dt(std::span<const Coordinates<d>>(x), {.strategy = Strategy::tolerances});
     const auto step = [&](double pace) {
         for (auto& p : x)
             for (double& c : p) c += pace * between(random, -1.0, 1.0);

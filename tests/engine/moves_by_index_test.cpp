@@ -2,19 +2,16 @@
 // The cost of a call that moves some vertices, where each of them changes everything: counted in cells tested,
 // certificates and bytes allocated.
 #include <annulus/engine/cost_model.h>
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
+#include <support/catch.h>
 #include <support/failing_new.h>
 #include <support/generators.h>
-
-#include <support/catch.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -26,7 +23,7 @@ using annulus::testing::unit;
 namespace {
 
 template <int d>
-using Delaunay_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+using Delaunay_of = testing::Viewed_mesh<d>;
 
 enum class Scene { sphere, moment_curve };
 
@@ -48,12 +45,6 @@ std::vector<Coordinates<d>> convex_position(Scene scene, std::size_t n, Random& 
         x.push_back(p);
     }
     return x;
-}
-
-template <int d, class Triangulation>
-auto positions(const Triangulation& dt) {
-    if constexpr (std::is_same_v<Triangulation, Moving_mesh<d>>) return dt.points();
-    else return dt.positions();
 }
 
 template <int d>
@@ -111,7 +102,7 @@ void check_cost(Scene scene, double pace) {
             CHECK(report.cost < 6.0 * Cost_model<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
             CHECK(static_cast<double>(report.evaluated) < 60.0 * cells);
             CHECK(spent < 10 * once);
-            REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
+            REQUIRE(std::equal(x.begin(), x.end(), dt.points().begin()));
             REQUIRE(dt.audit().delaunay());
         }
     }
@@ -148,14 +139,14 @@ void check_duplicate_point(Scene scene) {
             } catch (const Error& e) {
                 CHECK(e.code() == Error_code::duplicate_point);
             }
-            REQUIRE(std::equal(x.begin(), x.end(), positions<d>(dt).begin()));
+            REQUIRE(std::equal(x.begin(), x.end(), dt.points().begin()));
             REQUIRE(dt.audit().delaunay());
             // If that vertex moves away, it is not a duplicate point.
             Triangulation other(std::span<const Coordinates<d>>(x), options);
             index.push_back(last);
             goal.push_back(x[0]);
             (void)other.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
-            REQUIRE(positions<d>(other)[0] == x[static_cast<std::size_t>(last)]);
+            REQUIRE(other.points()[0] == x[static_cast<std::size_t>(last)]);
             REQUIRE(other.audit().delaunay());
         }
     }

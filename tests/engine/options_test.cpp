@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Options that both classes refuse; and the names of vertices once indices are free.
 
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
+#include <support/viewed_mesh.h>
 
 #include <limits>
 #include <span>
@@ -64,8 +63,8 @@ void names_vertices(Object& object, const std::vector<Index>& names) {
 TEST_CASE("Threads must be one or more", "[engine][options]") {
     refuses_threads<Moving_mesh_2, 2>();
     refuses_threads<Moving_mesh_3, 3>();
-    refuses_threads<Moving_delaunay_2, 2>();
-    refuses_threads<Moving_delaunay_3, 3>();
+    refuses_threads<testing::Viewed_mesh<2>, 2>();
+    refuses_threads<testing::Viewed_mesh<3>, 3>();
 }
 
 TEST_CASE("Tolerances that are not certified are for the paper's strategies alone", "[engine][options]") {
@@ -98,7 +97,7 @@ TEST_CASE("An audit names vertices by their indices, also when lower ones are va
     mesh.remove(3);
     names_vertices(mesh, {1, 2, 4});
     const auto y = corners<3>();
-    Moving_delaunay_3 dt{std::span<const Coordinates<3>>(y)};
-    dt.remove(dt.vertex(1));
+    testing::Viewed_mesh<3> dt{std::span<const Coordinates<3>>(y)};
+    dt.remove(1);
     names_vertices(dt, {0, 2, 3, 4, 5});
 }

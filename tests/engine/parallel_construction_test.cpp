@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A construction does not depend on the number of threads.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,7 +78,7 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
     options.strategy = strategy;
     options.threads = threads;
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
-    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> dt(std::span<const Coordinates<d>>(x), options);
+    testing::Viewed_mesh<d> dt(std::span<const Coordinates<d>>(x), options);
     std::vector<std::int64_t> cells;
     std::vector<double> tolerances;
     const auto say = [&] {
@@ -90,7 +89,7 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
         say_table<d>(dt.mesh().table(), cells);
         for (std::size_t i = 0; i < x.size(); i += 64) {
             tolerances.push_back(mesh.tolerance(static_cast<Index>(i)));
-            tolerances.push_back(dt.tolerance(dt.vertex(i)));
+            tolerances.push_back(dt.tolerance(static_cast<Index>(i)));
         }
     };
     say();

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time steps in several threads. Not a part of the tests under ThreadSanitizer, which does not see how TBB's library,
 // built without it, hands a task to another thread, and calls that a race.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
 
 #include "../../bench/motions/families.h"
 
 #include <support/catch.h>
+#include <support/viewed_mesh.h>
 
-#include <type_traits>
 #include <vector>
 
 using namespace annulus;
@@ -24,8 +22,7 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
     options.strategy = strategy;
     options.threads = with;
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(scene.points()), options);
-    std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3> dt(std::span<const Coordinates<d>>(scene.points()),
-                                                                        options);
+    testing::Viewed_mesh<d> dt(std::span<const Coordinates<d>>(scene.points()), options);
     std::vector<double> said;
     const auto say = [&said](const Move_report& r) {
         for (const auto n : {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Properties that relate two runs, and the reports of calls, in 2D and in 3D alike.
-#include <common/program.h>
+#include <annulus/arithmetic/limits.h>
 
 #include <support/cases.h>
+#include <support/checked_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,17 +18,17 @@ using namespace annulus::testing;
 namespace {
 
 template <int d>
-using Moving_of = typename Space<d>::Moving;
+using Moving_of = Viewed_mesh<d>;
 
 /// The relative difference of tolerances that are the same but for rounding. With expiries of few bits it is coarse.
 constexpr double closeness = Limits::tiny ? 0.25 : 0x1p-8;
 
 /// A fault of the session as a failed assertion.
-template <int d, class Body>
+template <class Body>
 void without_fault(Body body) {
     try {
         body();
-    } catch (const typename Session_of<d>::Fault& fault) {
+    } catch (const Session_fault& fault) {
         FAIL(fault.words);
     }
 }
@@ -35,16 +36,6 @@ void without_fault(Body body) {
 template <int d>
 bool distinct(const Points_of<d>& x) {
     return std::set<Coordinates<d>>(x.begin(), x.end()).size() == x.size();
-}
-
-template <class Call>
-Error_code code_of(Call call) {
-    try {
-        call();
-    } catch (const Error& e) {
-        return e.code();
-    }
-    return Error_code::usage;
 }
 
 }  // namespace
@@ -57,9 +48,9 @@ TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same
                 const Set_of<d> set = any_set<d>(random);
                 const Points_of<d> home = some_points<d>(set, 1, d == 2 ? 30 : 15, random);
                 const Points_of<d> goal = point_set(set, home.size(), random);
-                without_fault<d>([&] {
-                    Session_of<d> at_once(Program_of<d>{setting, home, {}});
-                    Session_of<d> one_by_one(Program_of<d>{setting, home, {}});
+                without_fault([&] {
+                    Checked_mesh<d> at_once(Program_of<d>{setting, home, {}});
+                    Checked_mesh<d> one_by_one(Program_of<d>{setting, home, {}});
                     at_once.apply(Calls<d>::move_all(goal));
                     std::vector<std::size_t> order(goal.size());
                     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -70,7 +61,7 @@ TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same
                     if (one_by_one.sites() != at_once.sites()) return;
                     at_once.check();
                     one_by_one.check();
-                    CHECK(cells_of(one_by_one.dt().triangulation()) == cells_of(at_once.dt().triangulation()));
+                    CHECK(cells_of(one_by_one.dt()) == cells_of(at_once.dt()));
                 });
             });
         }
@@ -95,7 +86,7 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                 for (int step = 0; step < 3; ++step) {
                     Points_of<d> goal = point_set(set, home.size(), random);
                     if (step == 1) {  // a short way
-                        goal.assign(one.positions().begin(), one.positions().end());
+                        goal.assign(one.points().begin(), one.points().end());
                         for (auto& p : goal)
                             for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
                         if (!distinct<d>(goal)) continue;
@@ -113,10 +104,10 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                         one.recompute_tolerances();
                         other.recompute_tolerances();
                     }
-                    CHECK(cells_of(one.triangulation()) == cells_of(other.triangulation()));
+                    CHECK(cells_of(one) == cells_of(other));
                     for (std::size_t i = 0; i < goal.size(); ++i) {
-                        const double s = one.tolerance(one.vertex(i));
-                        CHECK(std::fabs(s * scale - other.tolerance(other.vertex(i))) <= closeness * s * scale);
+                        const double s = one.tolerance(static_cast<Index>(i));
+                        CHECK(std::fabs(s * scale - other.tolerance(static_cast<Index>(i))) <= closeness * s * scale);
                     }
                 }
             });
@@ -146,19 +137,19 @@ TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, di
                     const Points_of<d> goal = point_set(set, n, random);
                     one.move_all(goal);
                     other.move_all(renamed(goal));
-                    Cells_of<d> expected = cells_of(one.triangulation());
+                    Cells_of<d> expected = cells_of(one);
                     for (auto& cell : expected) {
                         for (Index& v : cell)
                             if (v != none) v = static_cast<Index>(name[static_cast<std::size_t>(v)]);
                         cell = canonical(cell);
                     }
                     std::sort(expected.begin(), expected.end());
-                    CHECK(cells_of(other.triangulation()) == expected);
+                    CHECK(cells_of(other) == expected);
                     one.recompute_tolerances();
                     other.recompute_tolerances();
                     for (std::size_t i = 0; i < n; ++i) {
-                        const double s = one.tolerance(one.vertex(i));
-                        CHECK(std::fabs(s - other.tolerance(other.vertex(name[i]))) <= closeness * s + 0x1p-1070);
+                        const double s = one.tolerance(static_cast<Index>(i));
+                        CHECK(std::fabs(s - other.tolerance(static_cast<Index>(name[i]))) <= closeness * s + 0x1p-1070);
                     }
                 }
             });
@@ -179,21 +170,21 @@ TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that 
                     some_points<d>(degenerate ? any_set<d>(random) : all_sets<d>()[0], d + 2, d == 2 ? 25 : 15, random),
                     options);
                 for (int step = 0; step < 8; ++step) {
-                    const Cells_of<d> before = cells_of(dt.triangulation());
+                    const Cells_of<d> before = cells_of(dt);
                     Move_report report;
                     Operation_of<d> shake =
                         Calls<d>::steady(Motion::jitter, 1, std::ldexp(1.0, -integer(random, 2, 9)), random());
                     Sites_of<d> now(dt.index_bound());
                     for (std::size_t i = 0; i < now.size(); ++i)
-                        if (dt.vertex(i) != typename Moving_of<d>::Vertex_handle()) now[i] = dt.positions()[i];
+                        if (dt.is_vertex(static_cast<Index>(i))) now[i] = dt.points()[i];
                     const Points_of<d> x = next_positions<d>(shake, 0, now, now, {});
                     std::size_t v = random() % now.size();
                     while (!now[v]) v = (v + 1) % now.size();
                     if (step % 4 == 0) report = dt.move_all(x);
                     if (step % 4 == 1) report = dt.move(static_cast<Index>(v), x[v]);
-                    if (step % 4 == 2) dt.remove(dt.vertex(v), &report);
-                    if (step % 4 == 3) dt.insert(Space<d>::point(free_place<d>(x[v], now, none)), &report);
-                    const Cells_of<d> after = cells_of(dt.triangulation());
+                    if (step % 4 == 2) dt.remove(static_cast<Index>(v), &report);
+                    if (step % 4 == 3) dt.insert(free_place<d>(x[v], now, none), &report);
+                    const Cells_of<d> after = cells_of(dt);
                     const auto finite = [&](const std::vector<Index>& list) {
                         REQUIRE(list.size() % corners == 0);
                         std::set<std::array<Index, corners>> cells;
@@ -242,8 +233,7 @@ TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[
         CHECK(dt.number_of_vertices() == distinct_ones.size());
         REQUIRE(dt.vertex_of_input().size() == points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto v = dt.vertex(static_cast<std::size_t>(dt.vertex_of_input()[i]));
-            CHECK(Space<d>::coordinates(v->point()) == points[i]);
+            CHECK(dt.view_point(dt.vertex_of_input()[i]) == points[i]);
         }
         CHECK(dt.audit().delaunay());
         // Each index is one vertex, from 0 on in the order in which positions first appear.
@@ -253,37 +243,7 @@ TEMPLATE_TEST_CASE_SIG("Equal input points are merged on request, dimension", "[
             if (i == next) ++next;
         }
         CHECK(static_cast<std::size_t>(next) == dt.index_bound());
-        Points_of<d> own(dt.positions().begin(), dt.positions().end());
+        Points_of<d> own(dt.points().begin(), dt.points().end());
         CHECK(dt.move_all(own).moves.asked == own.size());
     });
-}
-
-TEMPLATE_TEST_CASE_SIG("A null handle, the vertex at infinity and a stranger name no vertex, dimension", "[relocation]",
-                       ((int d), d), 2, 3) {
-    using Moving = Moving_of<d>;
-    Points_of<d> corners(d + 1, Coordinates<d>{});
-    for (std::size_t k = 0; k < d; ++k) corners[k + 1][k] = 1.0;
-    Points_of<d> more = corners;
-    more.push_back(corners[0]);
-    more.back().fill(5.0);
-    const Moving other(more);
-    const typename Space<d>::Moving::Point there = Space<d>::point(more.back());
-    for (const Setting& setting : certified_settings) {
-        CAPTURE(name_of(setting));
-        Moving dt(corners, options_of(setting));
-        // One of the foreign handles has an index that this triangulation has, too.
-        for (const auto v : {typename Moving::Vertex_handle(), dt.triangulation().infinite_vertex(), other.vertex(1),
-                             other.vertex(d + 1)}) {
-            CHECK(code_of([&] { dt.move(v, there); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { dt.remove(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.index(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.position(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.fixed_position(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.displacement(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.tolerance(v); }) == Error_code::unknown_vertex);
-            CHECK(code_of([&] { (void)dt.theta(v); }) == Error_code::unknown_vertex);
-        }
-        CHECK(code_of([&] { (void)dt.vertex(d + 1); }) == Error_code::unknown_vertex);
-        CHECK(dt.audit().delaunay());
-    }
 }

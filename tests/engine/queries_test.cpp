@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Queries of an object (measure, theta, displacement) compared with independent computations.
-#include <common/program.h>
+#include <annulus/arithmetic/limits.h>
+
+#include <common/half_widths.h>
+#include <common/operation.h>
 
 #include <support/cases.h>
 #include <support/oracle_3.h>
+#include <support/viewed_mesh.h>
 
 #include <cmath>
 #include <limits>
@@ -15,38 +19,6 @@ using namespace annulus::testing;
 namespace {
 
 constexpr double right_angle = 1.5707963267948966;
-
-/// A finite bi-cell: its facet, and the two vertices on either side.
-template <int d>
-struct Finite_bicell {
-    std::array<Index, static_cast<std::size_t>(d + 2)> v;
-};
-
-std::vector<Finite_bicell<2>> finite_bicells(const Moving_delaunay_2& dt) {
-    std::vector<Finite_bicell<2>> all;
-    const auto& tr = dt.triangulation();
-    if (tr.dimension() != 2) return all;
-    for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
-        const auto [f, i] = *e;
-        if (tr.is_infinite(f) || tr.is_infinite(f->neighbor(i))) continue;
-        all.push_back({{f->vertex(tr.ccw(i))->index(), f->vertex(tr.cw(i))->index(),
-                        tr.tds().mirror_vertex(f, i)->index(), f->vertex(i)->index()}});
-    }
-    return all;
-}
-std::vector<Finite_bicell<3>> finite_bicells(const Moving_delaunay_3& dt) {
-    std::vector<Finite_bicell<3>> all;
-    const auto& tr = dt.triangulation();
-    if (tr.dimension() != 3) return all;
-    for (auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f) {
-        const auto c = f->first;
-        const int i = f->second;
-        if (tr.is_infinite(c) || tr.is_infinite(c->neighbor(i))) continue;
-        all.push_back({{c->vertex((i + 1) & 3)->index(), c->vertex((i + 2) & 3)->index(),
-                        c->vertex((i + 3) & 3)->index(), tr.mirror_vertex(c, i)->index(), c->vertex(i)->index()}});
-    }
-    return all;
-}
 
 using Real = long double;
 template <std::size_t d>
@@ -97,12 +69,12 @@ double width_of(const std::array<Coordinates<3>, 5>& x) {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimension", "[queries]", ((int d), d), 2, 3) {
-    using Moving = typename Space<d>::Moving;
+    using Moving = Viewed_mesh<d>;
     for_each_seed(d == 2 ? 60 : 20, [](Random& random) {
         const auto set = random() % 2 == 0 ? all_sets<d>()[0] : ordinary_set<d>(random);
         const bool round_off = set == all_sets<d>()[0];  // elsewhere angles may be rounding noise
         Moving dt(some_points<d>(set, 0, d == 2 ? 30 : 15, random), {});
-        Points_of<d> x(dt.positions().begin(), dt.positions().end());
+        Points_of<d> x(dt.points().begin(), dt.points().end());
         for (auto& p : x)
             for (double& c : p) c += 0x1p-9 * between(random, -1.0, 1.0);
         dt.move_all(x);
@@ -112,13 +84,13 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
         std::vector<double> widths;
         double least = right_angle;
         std::vector<double> least_at(x.size(), right_angle);
-        for (const auto& bicell : finite_bicells(dt)) {
+        for (const Bicell_indices<d>& bicell : dt.view_bicells()) {
             std::array<Coordinates<d>, static_cast<std::size_t>(d + 2)> corner;
-            for (std::size_t k = 0; k < corner.size(); ++k) corner[k] = x[static_cast<std::size_t>(bicell.v[k])];
+            for (std::size_t k = 0; k < corner.size(); ++k) corner[k] = x[static_cast<std::size_t>(bicell[k])];
             widths.push_back(width_of(corner));
             const double angle = angle_of<d>(corner);
             least = std::min(least, angle);
-            for (const Index v : bicell.v)
+            for (const Index v : bicell)
                 least_at[static_cast<std::size_t>(v)] = std::min(least_at[static_cast<std::size_t>(v)], angle);
         }
         REQUIRE(m.annulus_width.size() == widths.size());
@@ -131,11 +103,12 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
         }
         if (round_off) {
             CHECK(std::fabs(m.theta_min - least) <= 1e-9);
-            for (std::size_t i = 0; i < x.size(); ++i) CHECK(std::fabs(dt.theta(dt.vertex(i)) - least_at[i]) <= 1e-9);
+            for (std::size_t i = 0; i < x.size(); ++i)
+                CHECK(std::fabs(dt.theta(static_cast<Index>(i)) - least_at[i]) <= 1e-9);
         }
         for (std::size_t i = 0; i < x.size(); ++i) {  // recomputed tolerances have their own oracles (program.h)
-            const double s = dt.tolerance(dt.vertex(i));
-            if (dt.triangulation().dimension() < d) CHECK(m.tolerance[i] == std::numeric_limits<double>::infinity());
+            const double s = dt.tolerance(static_cast<Index>(i));
+            if (dt.view_dimension() < d) CHECK(m.tolerance[i] == std::numeric_limits<double>::infinity());
             else CHECK(std::fabs(m.tolerance[i] - s) <= (Limits::tiny ? 1.0 : 0x1p-8) * m.tolerance[i]);
         }
     });
@@ -143,7 +116,7 @@ TEMPLATE_TEST_CASE_SIG("measure() and theta() are what definitions give, dimensi
 
 TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, from above and closely, dimension",
                        "[queries]", ((int d), d), 2, 3) {
-    using Moving = typename Space<d>::Moving;
+    using Moving = Viewed_mesh<d>;
     for (const Setting& setting : certified_settings) {
         CAPTURE(name_of(setting));
         Options options;
@@ -154,9 +127,10 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
         for_each_seed(keeps ? 10 : 2, [&](Random& random) {
             Moving dt(some_points<d>(any_set<d>(random), d + 2, 12, random), options);
             for (int step = 0; step < 6; ++step) {
-                Points_of<d> x(dt.positions().begin(), dt.positions().end());
+                Points_of<d> x(dt.points().begin(), dt.points().end());
                 for (std::size_t i = 0; i < x.size(); ++i) {
-                    const double room = keeps ? std::min(dt.tolerance(dt.vertex(i)), 0x1p400) : 0x1p-20 * x[i][0];
+                    const double room =
+                        keeps ? std::min(dt.tolerance(static_cast<Index>(i)), 0x1p400) : 0x1p-20 * x[i][0];
                     for (double& c : x[i]) c += room * std::ldexp(between(random, -1.0, 1.0), -integer(random, 0, 40));
                 }
                 try {
@@ -165,9 +139,8 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
                     continue;  // duplicate points, or a vertex outside the domain
                 }
                 for (std::size_t i = 0; i < x.size(); ++i) {
-                    const auto v = dt.vertex(i);
-                    const auto p = Space<d>::coordinates(dt.position(v));
-                    const auto f = Space<d>::coordinates(dt.fixed_position(v));
+                    const auto v = static_cast<Index>(i);
+                    const Coordinates<d> p = dt.position(v), f = dt.fixed_position(v);
                     CHECK(p == x[i]);
                     mpq_class squares = 0;
                     for (std::size_t k = 0; k < d; ++k) {
@@ -191,7 +164,7 @@ TEMPLATE_TEST_CASE_SIG("displacement() is the distance from the fixed position, 
     for (auto& p : x)
         for (double& c : p) c = between(random, -1.0, 1.0);
     Moving dt(x, {.strategy = Strategy::tolerances});
-    for (std::size_t i = 0; i < x.size(); ++i) x[i][0] += 0.5 * dt.tolerance(dt.vertex(i));
+    for (std::size_t i = 0; i < x.size(); ++i) x[i][0] += 0.5 * dt.tolerance(static_cast<Index>(i));
     dt.move_all(x);
-    CHECK(dt.displacement(dt.vertex(0)) > 0.0);
+    CHECK(dt.displacement(0) > 0.0);
 }

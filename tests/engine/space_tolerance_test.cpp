@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Guarantees of tolerances in 3D: hand-computed values, the paper's counterexample, and moves just inside.
-#include <support/catch.h>
-#include <support/session_3.h>
+#include <annulus/predicate/filtered_3.h>
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
+#include <support/checked_mesh.h>
 #include <support/harm.h>
+#include <support/point_sets_3.h>
 #include <support/small_sets.h>
-
-#include <annulus/predicate/filtered_3.h>
 
 #include <cmath>
 
 using namespace annulus;
 using namespace annulus::testing;
-using Kind = Operation_3::Kind;
+using oracle::Program_3;
+using oracle::Session_fault;
+using Session_3 = Checked_mesh<3>;
+using Kind = oracle::Operation_kind;
 
 namespace {
 
@@ -45,7 +48,7 @@ Options options_of(Strategy strategy, Tolerance_kind kind) {
 /// decide that (docs/theory.md 2.2).
 struct True_tolerances {
     std::vector<double> least, most;
-    explicit True_tolerances(const Moving_delaunay_3& dt)
+    explicit True_tolerances(const Viewed_mesh_3& dt)
         : least(dt.index_bound(), std::numeric_limits<double>::infinity()), most(least) {
         const Audit_input<3> input = dt.audit_input();
         if (input.cells.empty() || input.cells.front()[3] == none) return;
@@ -97,19 +100,19 @@ TEST_CASE("The tolerances of a regular tetrahedron and of the spindle are those 
         CAPTURE(name_of(strategy));
         // Edge 2 sqrt 2: the distance of opposite edges is 2, the height 2.309; half the width is 1. A ridge is the
         // same four points.
-        Moving_delaunay_3 one(Points_3{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
-                              options_of(strategy, Tolerance_kind::certified));
-        for (std::size_t i = 0; i < 4; ++i) {
-            CHECK(one.tolerance(one.vertex(i)) <= 1.0);
-            CHECK(one.tolerance(one.vertex(i)) > 0.998);
+        Viewed_mesh_3 one(Points_3{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                          options_of(strategy, Tolerance_kind::certified));
+        for (Index i = 0; i < 4; ++i) {
+            CHECK(one.tolerance(i) <= 1.0);
+            CHECK(one.tolerance(i) > 0.998);
         }
         // Spheres around the origin of radius 0.99 and 1.
-        Moving_delaunay_3 five(spindle(0.01), options_of(strategy, Tolerance_kind::certified));
-        Moving_delaunay_3 paper(spindle(0.01), options_of(Strategy::paper, Tolerance_kind::paper));
-        for (std::size_t i = 0; i < 5; ++i) {
-            CHECK(five.tolerance(five.vertex(i)) <= 0.005 * (1 + 1e-12));
-            CHECK(five.tolerance(five.vertex(i)) > 0.998 * 0.005);
-            CHECK(std::fabs(paper.tolerance(paper.vertex(i)) - 0.00748) < 0.00001);
+        Viewed_mesh_3 five(spindle(0.01), options_of(strategy, Tolerance_kind::certified));
+        Viewed_mesh_3 paper(spindle(0.01), options_of(Strategy::paper, Tolerance_kind::paper));
+        for (Index i = 0; i < 5; ++i) {
+            CHECK(five.tolerance(i) <= 0.005 * (1 + 1e-12));
+            CHECK(five.tolerance(i) > 0.998 * 0.005);
+            CHECK(std::fabs(paper.tolerance(i) - 0.00748) < 0.00001);
         }
     }
 }
@@ -119,16 +122,16 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
     for (const Strategy strategy : filters) {
         CAPTURE(name_of(strategy));
         for (const Tolerance_kind kind : {Tolerance_kind::certified, Tolerance_kind::paper}) {
-            Moving_delaunay_3 dt(spindle(0.01),
-                                 options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
-            CHECK(dt.triangulation().number_of_finite_cells() == 3);
+            Viewed_mesh_3 dt(spindle(0.01),
+                             options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
+            CHECK(dt.view_cells().size() == 3);
             const Move_report report = dt.move_all(spindle_grown(0.007));
             const bool right = dt.audit().delaunay();
             CHECK(right == (kind == Tolerance_kind::certified));
             if (kind == Tolerance_kind::paper) {
                 CHECK(report.moves.within_tolerance == 5);
             } else {
-                CHECK(dt.triangulation().number_of_finite_cells() == 2);
+                CHECK(dt.view_cells().size() == 2);
                 CHECK(report.flips == 1);
             }
         }
@@ -142,7 +145,7 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
                                    {(k % 2 == 0 ? spindle_grown(0.007) : spindle(0.01))[static_cast<std::size_t>(v)]}});
                     session.check();
                 }
-        } catch (const Session_3::Fault& fault) {
+        } catch (const Session_fault& fault) {
             FAIL(fault.words);
         }
     }
@@ -155,12 +158,12 @@ TEST_CASE("A settled tolerance in space is never above what its certificates all
             REQUIRE(for_all([=] {
                 const Set_3 set = all_sets_3[*rc::gen::inRange<std::size_t>(0, all_sets_3.size())];
                 Random random(*seeds());
-                const Moving_delaunay_3 dt(point_set(set, 4 + random() % 12, random),
-                                           options_of(strategy, Tolerance_kind::certified));
-                if (dt.triangulation().dimension() < 3) return;
+                const Viewed_mesh_3 dt(point_set(set, 4 + random() % 12, random),
+                                       options_of(strategy, Tolerance_kind::certified));
+                if (dt.view_dimension() < 3) return;
                 const True_tolerances truth(dt);
                 for (std::size_t i = 0; i < dt.index_bound(); ++i) {
-                    const double found = dt.tolerance(dt.vertex(i));
+                    const double found = dt.tolerance(static_cast<Index>(i));
                     RC_ASSERT(found <= truth.most[i] * (1 + 0x1p-52));
                     // Rounding to subnormal numbers may lose all accuracy.
                     RC_ASSERT(found >= 0.998 * truth.least[i] || found < 0x1p-1000);
@@ -190,10 +193,9 @@ TEST_CASE("The most harmful moves in space, just inside and just outside the tol
                         Points_3 y = x;
                         for (std::size_t i = 0; i < n; ++i) {
                             if (random() % 4 == 0) continue;
-                            const auto v = session.dt().vertex(i);
-                            const auto f = session.dt().fixed_position(v);
-                            y[i] = shifted({f.x(), f.y(), f.z()}, share * session.dt().tolerance(v), worst[i], way,
-                                           random);
+                            const auto v = static_cast<Index>(i);
+                            y[i] = shifted(session.dt().fixed_position(v), share * session.dt().tolerance(v), worst[i],
+                                           way, random);
                         }
                         Points_3 sorted = y;
                         std::sort(sorted.begin(), sorted.end());
@@ -204,9 +206,9 @@ TEST_CASE("The most harmful moves in space, just inside and just outside the tol
                         session.check();
                         if (n <= 8)
                             if (const std::string words = room_fault(session.dt()); !words.empty())
-                                throw Session_3::Fault{words};
+                                throw Session_fault{words};
                     }
-                } catch (const Session_3::Fault& fault) {
+                } catch (const Session_fault& fault) {
                     RC_FAIL(fault.words + "\n" + as_code(program));
                 }
             }));
@@ -221,16 +223,16 @@ TEST_CASE("Moves of 0.9999 tolerances in space evaluate nothing and keep the tri
         Random random(23);
         const Points_3 home = point_set(Set_3::uniform, 300, random);
         for (const Way way : {Way::worst, Way::back, Way::any}) {
-            Moving_delaunay_3 dt(home, options_of(strategy, Tolerance_kind::certified));
+            Viewed_mesh_3 dt(home, options_of(strategy, Tolerance_kind::certified));
             const auto worst = harmful_directions(dt);
-            const auto before = cells_of(dt.triangulation());
+            const auto before = cells_of(dt);
             Points_3 x = home;
             for (std::size_t i = 0; i < x.size(); ++i)
-                x[i] = shifted(x[i], 0.9999 * dt.tolerance(dt.vertex(i)), worst[i], way, random);
+                x[i] = shifted(x[i], 0.9999 * dt.tolerance(static_cast<Index>(i)), worst[i], way, random);
             const Move_report report = dt.move_all(x);
             CHECK(report.evaluated == 0);
             CHECK(report.moves.within_tolerance == x.size());
-            CHECK(cells_of(dt.triangulation()) == before);
+            CHECK(cells_of(dt) == before);
             CHECK(dt.audit().delaunay());
         }
     }
@@ -245,8 +247,8 @@ TEST_CASE("The worst moves of every certificate of space, by 0.9999 of the verti
                 Random random = seed.random();
                 const testing::Small_set set = all_small_sets[random() % all_small_sets.size()];
                 const double off = std::ldexp(1.0, -integer(random, 2, 22));
-                check_worst_moves<Moving_delaunay_3>(small_set<3>(set, 4 + random() % 5, off, random),
-                                                     options_of(strategy, Tolerance_kind::certified), undone);
+                check_worst_moves<Viewed_mesh_3>(small_set<3>(set, 4 + random() % 5, off, random),
+                                                 options_of(strategy, Tolerance_kind::certified), undone);
             }));
             std::printf("space: %d triangulations of %d certificates, %d tight; all of these undone\n",
                         undone.triangulations, undone.certificates, undone.tight);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Const members may run at the same time, with the same results as alone. ThreadSanitizer checks more than equal
 // results: the target annulus-threads has these tests alone, to be built with it.
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/at_once.h>
 #include <support/catch.h>
 #include <support/motions.h>
+#include <support/viewed_mesh.h>
 #include "../../bench/motions/families.h"
 
 #include <latch>
@@ -24,18 +24,17 @@ std::vector<double> everything(const Moving& dt) {
     std::vector<double> said;
     const auto say = [&](auto x) { said.push_back(static_cast<double>(x)); };
     const auto say_point = [&](const typename Moving::Point& p) {
-        for (int k = 0; k < p.dimension(); ++k) say(p[k]);
+        for (const double c : p) say(c);
     };
-    for (std::size_t i = 0; i < dt.index_bound(); ++i) {
-        const auto v = dt.vertex(i);
-        if (v == typename Moving::Vertex_handle()) continue;
-        say(dt.index(v));
-        say_point(dt.position(v));
-        say_point(dt.fixed_position(v));
-        say(dt.tolerance(v));
-        say(dt.displacement(v));
-        say(dt.theta(v));
-        say(dt.positions()[i][0]);
+    for (Index i = 0; i < static_cast<Index>(dt.index_bound()); ++i) {
+        if (!dt.is_vertex(i)) continue;
+        say(dt.handle_index(i));
+        say_point(dt.position(i));
+        say_point(dt.fixed_position(i));
+        say(dt.tolerance(i));
+        say(dt.displacement(i));
+        say(dt.theta(i));
+        say(dt.points()[static_cast<std::size_t>(i)][0]);
     }
     const Measures measures = dt.measure();
     say(measures.tolerance.size());
@@ -50,8 +49,7 @@ std::vector<double> everything(const Moving& dt) {
     say(dt.strategy());
     say(dt.mesh().dimension());
     // CGAL's const members that change nothing.
-    for (auto v = dt.triangulation().finite_vertices_begin(); v != dt.triangulation().finite_vertices_end(); ++v)
-        say_point(v->point());
+    for (const auto& p : dt.view_points()) say_point(p);
     return said;
 }
 
@@ -68,7 +66,7 @@ void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
         Moving dt(motion.positions(), Options{.strategy = strategy, .tolerance = kind});
         for (int step = 0; step < 3; ++step) {
             (void)dt.move_all(motion.advance());
-            if (step == 1) dt.remove(dt.vertex(7));
+            if (step == 1) dt.remove(7);
             const auto said = at_once([&] { return everything(dt); });
             const auto alone = everything(dt);
             for (const auto& s : said) CHECK((s == alone));
@@ -79,13 +77,13 @@ void say_the_same(Tolerance_kind kind = Tolerance_kind::certified) {
 }  // namespace
 
 TEST_CASE("Const members of one object may run at the same time", "[threads]") {
-    say_the_same<Moving_delaunay_2>();
-    say_the_same<Moving_delaunay_2>(Tolerance_kind::floating);
+    say_the_same<Viewed_mesh_2>();
+    say_the_same<Viewed_mesh_2>(Tolerance_kind::floating);
 }
 
 TEST_CASE("Const members of one object in space may run at the same time", "[threads][space]") {
-    say_the_same<Moving_delaunay_3>();
-    say_the_same<Moving_delaunay_3>(Tolerance_kind::floating);
+    say_the_same<Viewed_mesh_3>();
+    say_the_same<Viewed_mesh_3>(Tolerance_kind::floating);
 }
 
 TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
@@ -98,8 +96,8 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
             Long_motion<d> motion(Motion_kind::walk_middle, 60, random);
             Moving dt(motion.positions(), Options{.strategy = strategy});
             for (int step = 0; step < 20; ++step) (void)dt.move_all(motion.advance());
-            dt.remove(dt.vertex(3));
-            dt.insert(typename Moving::Point(CGAL::ORIGIN));
+            dt.remove(3);
+            dt.insert({});
             // Not tolerances: their last digits depend on the order in which CGAL lists cells, and that on addresses.
             auto cells = dt.audit_input().cells;
             for (auto& cell : cells) std::sort(cell.begin(), cell.end());
@@ -110,8 +108,8 @@ TEST_CASE("Objects of their own may be moved at the same time", "[threads]") {
         return said;
     };
     const auto both = [&] {
-        auto said = run(std::type_identity<Moving_delaunay_2>());
-        const auto more = run(std::type_identity<Moving_delaunay_3>());
+        auto said = run(std::type_identity<Viewed_mesh_2>());
+        const auto more = run(std::type_identity<Viewed_mesh_3>());
         said.insert(said.end(), more.begin(), more.end());
         return said;
     };

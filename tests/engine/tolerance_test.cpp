@@ -1,30 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Guarantees of tolerances: never above the truth, not far below it, and moves inside it change nothing.
-#include "../../fuzz/common/program.h"
+#include <annulus/arithmetic/limits.h>
 
+#include <common/half_widths.h>
+
+#include <gmpxx.h>
 #include <rapidcheck.h>
+
 #include <support/arbitrary.h>
 #include <support/catch.h>
+#include <support/checked_mesh.h>
 #include <support/harm.h>
 #include <support/small_sets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
 
 using namespace annulus;
 using namespace annulus::oracle;
 using annulus::testing::between;
+using annulus::testing::cells_of;
 using annulus::testing::Family;
 using annulus::testing::for_all;
 using annulus::testing::Point_set_case;
 using annulus::testing::point_set_case;
 using annulus::testing::Random;
+using annulus::testing::Viewed_mesh_2;
 
 namespace {
+
+using Session = annulus::testing::Checked_mesh<2>;
 
 /// A fault of the session as a failed assertion.
 template <class Body>
 void without_fault(Body body) {
     try {
         body();
-    } catch (const Session::Fault& fault) {
+    } catch (const Session_fault& fault) {
         RC_FAIL(fault.words);
     }
 }
@@ -46,18 +62,12 @@ Position shifted(const Position& p, double r, double share, const Position& targ
 
 /// The worst target of v: in the tightest annulus of v, inner points move outward and outer ones inward; its own
 /// position where a vertex has no annulus.
-std::vector<Position> worst_targets(const Moving_delaunay_2& dt) {
-    const auto& tr = dt.triangulation();
+std::vector<Position> worst_targets(const Viewed_mesh_2& dt) {
     const auto at = [](Index i) { return static_cast<std::size_t>(i); };
-    std::vector<Position> target(dt.positions().begin(), dt.positions().end());
+    std::vector<Position> target(dt.points().begin(), dt.points().end());
     std::vector<double> least(target.size(), std::numeric_limits<double>::infinity());
-    if (tr.dimension() < 2) return target;
-    for (auto e = tr.finite_edges_begin(); e != tr.finite_edges_end(); ++e) {
-        const auto [f, i] = *e;
-        if (tr.is_infinite(f) || tr.is_infinite(f->neighbor(i))) continue;
-        const std::array<Index, 4> v{f->vertex(tr.ccw(i))->index(), f->vertex(tr.cw(i))->index(),
-                                     tr.tds().mirror_vertex(f, i)->index(), f->vertex(i)->index()};
-        const auto x = [&](std::size_t k) { return dt.positions()[at(v[k])]; };
+    for (const auto& v : dt.view_bicells()) {
+        const auto x = [&](std::size_t k) { return dt.points()[at(v[k])]; };
         const double w = half_annulus(x(0), x(1), x(2), x(3)).get_d();
         // Relative to the first point, scaled to about 1.
         double m = 0.0;
@@ -104,9 +114,8 @@ bool drift(Session& session, std::vector<Position>& x, Step step) {
 
 /// `share` of its tolerance from its fixed position.
 Position from_fixed(Session& session, std::size_t i, double share, const Position& target, int kind, Random& random) {
-    const auto v = session.dt().vertex(i);
-    const auto f = session.dt().fixed_position(v);
-    return shifted({f.x(), f.y()}, session.dt().tolerance(v), share, target, kind, random);
+    const auto v = static_cast<Index>(i);
+    return shifted(session.dt().fixed_position(v), session.dt().tolerance(v), share, target, kind, random);
 }
 
 constexpr Setting tolerance_setting{Strategy::tolerances};
@@ -154,7 +163,7 @@ TEST_CASE("Tolerances after a drift leave the vertices of no certificate more th
                         });
                         if (step % 4 != 3) continue;
                         if (const std::string words = annulus::testing::room_fault(session.dt()); !words.empty())
-                            throw Session::Fault{words};
+                            throw Session_fault{words};
                     }
                 });
             }));
@@ -206,19 +215,19 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
                     Session session(Program{setting, set.points, {}});
                     Random random(set.seed + 1);
                     const auto target = worst_targets(session.dt());
-                    const Cells before = cells_of(session.dt().triangulation());
+                    const Cells before = cells_of(session.dt());
                     for (int kind = 0; kind < 4; ++kind) {
                         std::vector<Position> x = set.points;
                         for (std::size_t i = 0; i < x.size(); ++i)
-                            x[i] = shifted(x[i], session.dt().tolerance(session.dt().vertex(i)), 0.9999, target[i],
+                            x[i] = shifted(x[i], session.dt().tolerance(static_cast<Index>(i)), 0.9999, target[i],
                                            kind < 3 ? kind : static_cast<int>(random() % 2), random);
                         if (!distinct(x)) continue;
                         session.apply(move_all(x));
                         session.check();
-                        if (session.dt().triangulation().dimension() < 2) continue;
+                        if (session.dt().view_dimension() < 2) continue;
                         RC_ASSERT(session.last().evaluated == 0U);
                         RC_ASSERT(session.last().moves.within_tolerance == x.size());
-                        RC_ASSERT(cells_of(session.dt().triangulation()) == before);
+                        RC_ASSERT(cells_of(session.dt()) == before);
                     }
                 });
             }));
@@ -236,7 +245,7 @@ TEST_CASE(
                 Random random = seed.random();
                 const auto set = annulus::testing::all_small_sets[random() % annulus::testing::all_small_sets.size()];
                 const double off = std::ldexp(1.0, -annulus::testing::integer(random, 2, 22));
-                annulus::testing::check_worst_moves<Moving_delaunay_2>(
+                annulus::testing::check_worst_moves<Viewed_mesh_2>(
                     annulus::testing::small_set<2>(set, 3 + random() % 8, off, random), options_of(setting), undone);
             }));
             std::printf("plane: %d triangulations of %d certificates, %d tight; all of these undone\n",
@@ -256,7 +265,7 @@ TEST_CASE("Whenever a drifting call reports all within tolerance the audit passe
                     Random random(set.seed + 1);
                     std::vector<double> spacing(set.points.size());
                     for (std::size_t i = 0; i < spacing.size(); ++i)
-                        spacing[i] = session.dt().tolerance(session.dt().vertex(i));
+                        spacing[i] = session.dt().tolerance(static_cast<Index>(i));
                     std::vector<Position> x = set.points;
                     const bool steady = random() % 2 == 0;
                     for (int step = 0; step < 20; ++step)

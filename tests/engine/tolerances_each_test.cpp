@@ -5,21 +5,20 @@
 #include <support/arbitrary.h>
 #include <support/catch.h>
 #include <support/repeats.h>
-
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <support/viewed_mesh.h>
 
 #include <algorithm>
 #include <vector>
 
 using namespace annulus;
+using namespace annulus::oracle;
 using namespace annulus::testing;
 
 namespace {
 
 template <class Moving>
-std::vector<Coordinates<Moving::d>> points_of(std::size_t n, Random& random) {
-    std::vector<Coordinates<Moving::d>> x(n);
+std::vector<Coordinates<Moving::dimension_of_space>> points_of(std::size_t n, Random& random) {
+    std::vector<Coordinates<Moving::dimension_of_space>> x(n);
     for (auto& p : x)
         for (double& c : p) c = between(random, -1, 1);
     return x;
@@ -28,17 +27,16 @@ std::vector<Coordinates<Moving::d>> points_of(std::size_t n, Random& random) {
 /// A time step in which every vertex moves by at most `way` in a random direction.
 template <class Moving>
 Move_report shake(Moving& dt, double way, Random& random) {
-    std::vector<Coordinates<Moving::d>> x(dt.positions().begin(), dt.positions().end());
+    std::vector<Coordinates<Moving::dimension_of_space>> x(dt.points().begin(), dt.points().end());
     for (auto& p : x)
         for (double& c : p) c += between(random, -way, way);
-    return dt.move_all(std::span<const Coordinates<Moving::d>>(x));
+    return dt.move_all(std::span<const Coordinates<Moving::dimension_of_space>>(x));
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocation]", Moving_delaunay_2,
-                   Moving_delaunay_3) {
-    constexpr int d = TestType::d;
+TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocation]", Viewed_mesh_2, Viewed_mesh_3) {
+    constexpr int d = TestType::dimension_of_space;
     Random random(1);
     Options options;
     options.strategy = Strategy::tolerances_each;
@@ -67,14 +65,14 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
             Coordinates<d> p{};
             p[0] = 0.015625;
             Move_report one;
-            const auto v = dt.vertex(7);
             one = dt.move(7, p);
             CHECK(one.moves.asked == 1);
             check();
-            CHECK(dt.tolerance(v) >= 0);
+            CHECK(dt.tolerance(7) >= 0);
             for (int step = 0; step < 25; ++step) (void)shake(dt, 0.1, random);
-            const auto w =
-                dt.insert(typename TestType::Point(dt.position(v)) + (dt.position(dt.vertex(1)) - dt.position(v)) / 3);
+            p = dt.points()[7];
+            for (std::size_t k = 0; k < d; ++k) p[k] += (dt.points()[1][k] - p[k]) / 3;
+            const Index w = dt.insert(p);
             check();
             dt.remove(w);
             check();
@@ -90,24 +88,24 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
 }
 
 TEMPLATE_TEST_CASE("a time step of tolerances-each that fails leaves everything where it was", "[relocation]",
-                   Moving_delaunay_2, Moving_delaunay_3) {
-    constexpr int d = TestType::d;
+                   Viewed_mesh_2, Viewed_mesh_3) {
+    constexpr int d = TestType::dimension_of_space;
     Random random(1);
     Options options;
     options.strategy = Strategy::tolerances_each;
     for (const double way : {0.1, 1e-9}) {  // without tolerances and with
         TestType dt(points_of<TestType>(100, random), options);
         for (int step = 0; step < 20; ++step) (void)shake(dt, way, random);
-        const std::vector<Coordinates<d>> before(dt.positions().begin(), dt.positions().end());
+        const std::vector<Coordinates<d>> before(dt.points().begin(), dt.points().end());
         std::vector<Coordinates<d>> x = before;
         for (auto& p : x) p[0] += 0.25;
         x[5] = x[80];
         CHECK_THROWS_AS(dt.move_all(std::span<const Coordinates<d>>(x)), Error);
-        CHECK(std::equal(before.begin(), before.end(), dt.positions().begin()));
+        CHECK(std::equal(before.begin(), before.end(), dt.points().begin()));
         CHECK(dt.audit().delaunay());
         x[5][0] += 0.5;
         (void)dt.move_all(std::span<const Coordinates<d>>(x));
-        CHECK(std::equal(x.begin(), x.end(), dt.positions().begin()));
+        CHECK(std::equal(x.begin(), x.end(), dt.points().begin()));
         CHECK(dt.audit().delaunay());
     }
 }

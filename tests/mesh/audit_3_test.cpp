@@ -2,11 +2,11 @@
 #include <annulus/cgal/types_3.h>
 #include <annulus/mesh/audit.h>
 
-#include <support/catch.h>
-#include <support/point_sets_3.h>
-#include <support/session_3.h>
+#include <common/oracle_3.h>
 
 #include <support/arbitrary.h>
+#include <support/catch.h>
+#include <support/point_sets_3.h>
 
 #include <cmath>
 #include <limits>
@@ -62,7 +62,7 @@ Input triangulated(const Points_3& points) {
         for (auto c = tr.finite_cells_begin(); c != tr.finite_cells_end(); ++c)
             input.cells.push_back(
                 {c->vertex(0)->index(), c->vertex(1)->index(), c->vertex(2)->index(), c->vertex(3)->index()});
-    else input.cells = cells_of(tr);
+    else input.cells = oracle::cells_of(tr);
     return input;
 }
 

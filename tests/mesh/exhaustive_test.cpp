@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All point sets on a small grid, where nearly everything is degenerate: every set of four to six points of a 3 x 3 and
 // of a 2 x 2 x 3 grid is built, audited and compared with brute force, and moved to others.
-#include "../../fuzz/common/brute_force.h"
-
-#include <annulus/moving_delaunay_2.h>
-#include <annulus/moving_delaunay_3.h>
+#include <common/brute_force.h>
 
 #include <support/catch.h>
+#include <support/viewed_mesh.h>
 
 #include <bit>
 #include <span>
@@ -17,7 +15,7 @@ using namespace annulus::oracle;
 namespace {
 
 template <int d>
-using Moving = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
+using Moving = testing::Viewed_mesh<d>;
 
 std::vector<Grid_point<2>> grid_of(std::integral_constant<int, 2>) {
     std::vector<Grid_point<2>> x;

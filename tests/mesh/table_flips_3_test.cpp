@@ -5,13 +5,17 @@
 #include <annulus/mesh/table_flips_3.h>
 #include <annulus/predicate/filtered.h>
 
+#include <common/cells.h>
+
 #include <support/catch.h>
-#include <support/session_3.h>
+#include <support/point_sets_3.h>
 
 using namespace annulus;
 using namespace annulus::testing;
 
 namespace {
+
+using Cell_list_3 = oracle::Cells_of<3>;
 
 /// Every cell of the table, sorted within and among themselves: a triangulation whatever its numbers.
 Cell_list_3 cells_of_table(const Corner_table<3>& t) {

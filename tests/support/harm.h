@@ -48,6 +48,12 @@ template <int d, class T>
     return out;
 }
 
+// Compiled once, in harm.cpp.
+extern template std::vector<Harm<2>> harms<2, double>(const Audit_input<2>& input);
+extern template std::vector<Harm<2>> harms<2, mpq_class>(const Audit_input<2>& input);
+extern template std::vector<Harm<3>> harms<3, double>(const Audit_input<3>& input);
+extern template std::vector<Harm<3>> harms<3, mpq_class>(const Audit_input<3>& input);
+
 /// For every vertex the direction in which its tightest certificate is squeezed; none where it has no certificate.
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> harmful_directions(const std::vector<Harm<d>>& all, std::size_t n) {
@@ -93,7 +99,7 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
     for (const auto& h : all) least = std::min(least, h.half_width);
     if (all.empty() || !(least > 0x1p-34)) return;  // coordinates are about 1: a ten-thousandth must be many ulps
     std::vector<double> s;
-    for (std::size_t i = 0; i < x.size(); ++i) s.push_back(dt.tolerance(dt.vertex(i)));
+    for (std::size_t i = 0; i < x.size(); ++i) s.push_back(dt.tolerance(static_cast<Index>(i)));
     const auto passes = [&](const Points& y) { return audit(Audit_input<d>{y, before.cells}).delaunay(); };
     ++undone.triangulations;
 
@@ -144,11 +150,11 @@ template <class Moving>
     const Audit_input<d> now = dt.audit_input();
     std::vector<double> room(dt.index_bound());
     for (std::size_t i = 0; i < room.size(); ++i) {
-        const auto v = dt.vertex(i);
+        const auto v = static_cast<Index>(i);
         const auto fixed = dt.fixed_position(v);
         mpq_class square = 0;
         for (std::size_t k = 0; k < d; ++k) {
-            const mpq_class step = mpq_class(now.points[i][k]) - mpq_class(fixed[static_cast<int>(k)]);
+            const mpq_class step = mpq_class(now.points[i][k]) - mpq_class(fixed[k]);
             square += step * step;
         }
         const double away = squeezing::root(square).get_d(), s = dt.tolerance(v);

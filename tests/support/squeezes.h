@@ -248,6 +248,16 @@ template <class T, int d>
     return all;
 }
 
+// Compiled once, in squeezes.cpp: rational numbers take a second.
+extern template std::vector<Squeeze<mpq_class, 2, 3>> slabs<mpq_class, 2>(const Points_of_certificate<2, 3>& x);
+extern template std::vector<Squeeze<mpq_class, 3, 4>> slabs<mpq_class, 3>(const Points_of_certificate<3, 4>& x);
+extern template std::vector<Squeeze<mpq_class, 2, 4>> annuli<mpq_class, 2>(const Points_of_certificate<2, 4>& x);
+extern template std::vector<Squeeze<mpq_class, 3, 5>> annuli<mpq_class, 3>(const Points_of_certificate<3, 5>& x);
+extern template std::vector<Squeeze<double, 2, 3>> slabs<double, 2>(const Points_of_certificate<2, 3>& x);
+extern template std::vector<Squeeze<double, 3, 4>> slabs<double, 3>(const Points_of_certificate<3, 4>& x);
+extern template std::vector<Squeeze<double, 2, 4>> annuli<double, 2>(const Points_of_certificate<2, 4>& x);
+extern template std::vector<Squeeze<double, 3, 5>> annuli<double, 3>(const Points_of_certificate<3, 5>& x);
+
 template <class Squeezes>
 [[nodiscard]] const auto& least_of(const Squeezes& all) {
     return *std::min_element(all.begin(), all.end(),
