@@ -2,8 +2,9 @@
 """Delaunay triangulations of moving points, certified after every move.
 
 `MovingDelaunay` keeps the triangulation of points in 2D or 3D right while they move, and proves it. Names are
-those of `scipy.spatial.Delaunay` where SciPy has one. `degeneracy`, `counterexample`, `lloyd` and `nodt` are
-the subcommands of the tool as functions. The C++ library of the same name does all computations.
+those of `scipy.spatial.Delaunay` where SciPy has one. `audit` checks a triangulation made by any program, and
+`predicates` has exact signs of points. `degeneracy`, `counterexample`, `lloyd` and `nodt` are the subcommands of the
+tool as functions. The C++ library of the same name does all computations.
 """
 
 from . import _core
@@ -11,14 +12,16 @@ from . import _core
 if not _core.in_main_interpreter():  # the main one has imported it before, and Python passes its module on
     raise ImportError("annulus works in the main interpreter only, and this is a subinterpreter")
 
+from . import predicates
 from ._core import MoveReport
 from ._core import version as __version__
 from ._error import Error, OpenBoundariesWarning
-from ._functions import LloydResult, NodtResult, counterexample, degeneracy, lloyd, nodt
+from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
-from ._queries import AuditResult
+from ._queries import AuditResult, Fault
 
-__all__ = ["AuditResult", "Error", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult", "OpenBoundariesWarning",
-           "__version__", "counterexample", "degeneracy", "lloyd", "nodt"]
+__all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult",
+           "OpenBoundariesWarning", "__version__", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
+           "predicates"]
 
 MoveReport.__module__ = "annulus"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tool's subcommands as functions: `degeneracy`, `counterexample`, `lloyd`, `nodt`."""
+"""`audit`, and the tool's subcommands as functions: `degeneracy`, `counterexample`, `lloyd`, `nodt`."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
 from ._moving_delaunay import options_of
+from ._queries import AuditResult, audit_result_of
 
 
 class LloydResult(typing.NamedTuple):
@@ -32,6 +33,50 @@ class NodtResult(typing.NamedTuple):
     mean_displacement: NDArray[np.float64]
     max_displacement: NDArray[np.float64]
     report: _core.MoveReport
+
+
+def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> AuditResult:
+    """An exact verdict on a triangulation made by any program: whether it is a Delaunay triangulation of the points.
+
+    Parameters
+    ----------
+    points : array_like, shape (n, 2) or (n, 3)
+    simplices : array_like of int, shape (m, d + 1)
+        The corners of each simplex as rows of `points`, in any order, such as
+        ``scipy.spatial.Delaunay(points).simplices``. Of points on a line or in a plane the edges or triangles, shape
+        (m, 2) or (m, 3).
+    max_faults : int, optional
+        How many faults to list at most.
+
+    Returns
+    -------
+    AuditResult
+        True if Delaunay. All faults are counted; `faults` lists them, sorted by kind, with the numbers of the points
+        and simplices concerned.
+
+    Raises
+    ------
+    Error
+        With the codes ``wrong_size``, ``not_finite``, ``too_large``, and ``unknown_vertex`` for a number below -1 or
+        above 2**31 - 1. (Other numbers of points that are not there are faults.)
+
+    Notes
+    -----
+    The simplices are a Delaunay triangulation if each has a volume, no two overlap, no sphere of a simplex holds a
+    corner of its neighbour strictly inside, they fill the convex hull, and each point is used and at a position of its
+    own. Points on one sphere are no fault. The verdict is computed in integers, in microseconds per simplex. Signals
+    (Ctrl-C) are handled from time to time.
+
+    Examples
+    --------
+    >>> import annulus
+    >>> kite = [[0, 0], [4, 0], [5, 5], [0, 4]]
+    >>> bool(annulus.audit(kite, [[0, 1, 3], [3, 2, 1]]))
+    True
+    >>> annulus.audit(kite, [[0, 1, 2], [3, 0, 2]]).faults[0].kind
+    'not_delaunay'
+    """
+    return audit_result_of(_core.audit(points, simplices, _arguments.whole("max_faults", max_faults, 0, 2**31 - 1)))
 
 
 def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, typing.Any]:

@@ -14,8 +14,26 @@ Floats = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 
+class Fault(typing.NamedTuple):
+    """A fault that `audit` lists: its kind, the points and the simplices concerned, by number, and a text.
+
+    The kinds are ``unknown_vertex``, ``flat_cell``, ``overlap``, ``unused_vertex``, ``duplicate_point``,
+    ``not_delaunay``, ``hull_not_convex``, ``hull_broken`` and ``not_flat``. `vertices` of an overlap are the common
+    facet, then the opposite corner of each of the two simplices; of ``not_delaunay`` likewise.
+    """
+
+    kind: str
+    vertices: tuple[int, ...]
+    simplices: tuple[int, ...]
+    text: str
+
+
 class AuditResult(typing.NamedTuple):
-    """The result of `MovingDelaunay.audit`: counts of faults, and the first fault found. True if Delaunay."""
+    """The result of an audit: counts of faults, and the first fault found. True if Delaunay.
+
+    `faults` has the faults that `audit` lists; `MovingDelaunay.audit` lists none. There, `inverted_cells` also counts
+    simplices that are oriented negatively; in `audit` only flat ones.
+    """
 
     delaunay: bool
     inverted_cells: int
@@ -24,9 +42,16 @@ class AuditResult(typing.NamedTuple):
     topological_faults: int
     degenerate_facets: int
     first_fault: str
+    faults: tuple[Fault, ...] = ()
 
     def __bool__(self) -> bool:
         return self.delaunay
+
+
+def audit_result_of(values: tuple[bool, int, int, int, int, int, str,
+                                  list[tuple[str, tuple[int, ...], tuple[int, ...], str]]]) -> AuditResult:
+    """Creates an `AuditResult` from what the compiled module returns."""
+    return AuditResult(*values[:-1], tuple(Fault(*fault) for fault in values[-1]))
 
 
 def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core.MoveReport:
@@ -163,7 +188,7 @@ class Queries:
         The result is that of one moment: other threads may move vertices during the audit. Signals (Ctrl-C) are
         handled from time to time during the audit.
         """
-        return AuditResult(*self._mesh.audit())
+        return audit_result_of(self._mesh.audit())
 
     @property
     def ndim(self) -> int:

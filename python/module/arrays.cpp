@@ -133,15 +133,19 @@ std::vector<Index> indices_of(const py::object& object) {
     throw py::type_error("indices must be whole numbers, not an array of " + dtype_of(any));
 }
 
-std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::size_t points) {
-    const py::array any = array_of(object, "surface: triangles");
+py::array_t<std::int64_t, c_array> whole_numbers_of(const py::object& object, const char* name) {
+    const py::array any = array_of(object, name);
     const char kind = any.dtype().kind();
     if ((kind != 'i' && kind != 'u') || (kind == 'u' && any.itemsize() == 8))
-        throw py::type_error("surface: triangles must be whole numbers of at most 63 bits, not an array of " +
+        throw py::type_error(std::string(name) + " must be whole numbers of at most 63 bits, not an array of " +
                              dtype_of(any));
-    if (any.ndim() != 2 || any.shape(1) != 3)
-        throw Error(Error_code::wrong_size, "surface: triangles must have shape (m, 3), not " + shape_of(any));
-    const auto numbers = converted<std::int64_t>(any);
+    return converted<std::int64_t>(any);
+}
+
+std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::size_t points) {
+    const auto numbers = whole_numbers_of(object, "surface: triangles");
+    if (numbers.ndim() != 2 || numbers.shape(1) != 3)
+        throw Error(Error_code::wrong_size, "surface: triangles must have shape (m, 3), not " + shape_of(numbers));
     std::vector<std::array<Index, 3>> out(static_cast<std::size_t>(numbers.shape(0)));
     for (py::ssize_t k = 0; k < numbers.shape(0); ++k)
         for (py::ssize_t i = 0; i < 3; ++i) {

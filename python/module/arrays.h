@@ -63,6 +63,9 @@ class Points_in {
 /// for another shape, Error(unknown_vertex) for numbers that cannot be a vertex index.
 [[nodiscard]] std::vector<Index> indices_of(const py::object& object);
 
+/// The result of numpy.asarray as whole numbers. Throws TypeError for anything but integers of at most 63 bits.
+[[nodiscard]] py::array_t<std::int64_t, c_array> whole_numbers_of(const py::object& object, const char* name);
+
 /// Rows of three indices below `points`. Throws TypeError, Error(wrong_size), Error(unknown_vertex).
 [[nodiscard]] std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::size_t points);
 

@@ -82,16 +82,9 @@ Move_report Mesh<d>::changing(Call call) {
             call(report);
         } catch (...) {
             points_.reset();
-            cells_.reset();
-            adjacency_.reset();
             throw;
         }
         points_.reset();
-        if (report.flips > 0 || !report.changed.empty() ||
-            report.moves.within_tolerance + report.moves.kept_in_place != report.moves.asked) {
-            cells_.reset();
-            adjacency_.reset();
-        }
         return report;
     });
 }
@@ -108,11 +101,7 @@ Move_report Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>&
 
 template <int d>
 Move_report Mesh<d>::recompute_tolerances() {
-    return changing([&](Move_report& report) {
-        report = mesh_.recompute_tolerances();
-        cells_.reset();  // with tolerances that are not certified, cells may change
-        adjacency_.reset();
-    });
+    return changing([&](Move_report& report) { report = mesh_.recompute_tolerances(); });
 }
 
 /// Throws unless the points are in the domain, are distinct, and none of them has the position of a vertex. O(n).
@@ -148,8 +137,6 @@ std::vector<Index> Mesh<d>::insert(const Points_in<d>& points) {
             for (; !indices.empty(); indices.pop_back()) remove_one(indices.back());
             throw;
         }
-        cells_.reset();
-        adjacency_.reset();
     });
     return indices;
 }
@@ -178,8 +165,6 @@ void Mesh<d>::remove(const std::vector<Index>& indices) {
                             {once[k]});
         free_indices_.reserve(free_indices_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
-        cells_.reset();
-        adjacency_.reset();
     });
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <module/arrays.h>
-#include <module/cells.h>
 #include <module/process_mutex.h>
 
 #include <annulus/moving_mesh.h>
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -44,9 +44,10 @@ class Mesh {
     /// The state for pickling, as one snapshot: `points` as above, and the free indices, the one freed last at the end.
     [[nodiscard]] std::pair<py::array, std::vector<Index>> state();
     [[nodiscard]] std::vector<Index> vertex_of_input() const;
-    [[nodiscard]] std::shared_ptr<const Cells<d>> cells();
-    [[nodiscard]] std::shared_ptr<const Adjacency> adjacency();
-    [[nodiscard]] std::vector<Index> find(const Points_in<d>& points);
+    [[nodiscard]] std::shared_ptr<const Cell_lists<d>> cells() const;
+    [[nodiscard]] std::shared_ptr<const Vertex_neighbours> neighbours() const;
+    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull() const;
+    [[nodiscard]] std::vector<Index> find(const Points_in<d>& points) const;
 
     // By vertex index, NaN at free indices.
     [[nodiscard]] std::vector<double> tolerances() const;
@@ -71,8 +72,7 @@ class Mesh {
     Move_report changing(Call call);
     template <class Value>
     [[nodiscard]] std::vector<double> by_vertex(Value value) const;
-    /// Precondition of these two: this thread holds the lock.
-    [[nodiscard]] std::shared_ptr<const Cells<d>> kept_cells();
+    /// Precondition: this thread holds the lock.
     [[nodiscard]] std::shared_ptr<const std::vector<Point>> kept_points();
     void remove_one(Index i);
     void require_free(std::span<const Point> points) const;
@@ -81,9 +81,7 @@ class Mesh {
     mutable Process_mutex lock_;
     Moving_mesh<d> mesh_;
     std::vector<Index> free_indices_;
-    std::shared_ptr<const std::vector<Point>> points_;  // null after a change, as the next two
-    std::shared_ptr<const Cells<d>> cells_;
-    std::shared_ptr<const Adjacency> adjacency_;
+    std::shared_ptr<const std::vector<Point>> points_;  // null after a change
 };
 
 extern template class Mesh<2>;

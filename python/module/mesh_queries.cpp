@@ -59,29 +59,23 @@ std::vector<Index> Mesh<d>::vertex_of_input() const {
 }
 
 template <int d>
-std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells() {
-    if (!cells_) cells_ = std::make_shared<const Cells<d>>(mesh_);
-    return cells_;
+std::shared_ptr<const Cell_lists<d>> Mesh<d>::cells() const {
+    return locked([this] { return mesh_.cell_lists(); });
 }
 
 template <int d>
-std::shared_ptr<const Cells<d>> Mesh<d>::cells() {
-    return locked([this] { return kept_cells(); });
+std::shared_ptr<const Vertex_neighbours> Mesh<d>::neighbours() const {
+    return locked([this] { return mesh_.vertex_neighbors(); });
 }
 
 template <int d>
-std::shared_ptr<const Adjacency> Mesh<d>::adjacency() {
-    return locked([this] {
-        if (!adjacency_) adjacency_ = std::make_shared<const Adjacency>(adjacency_of(*kept_cells()));
-        return adjacency_;
-    });
+auto Mesh<d>::hull() const -> std::vector<std::array<Index, static_cast<std::size_t>(d)>> {
+    return locked([this] { return mesh_.convex_hull(); });
 }
 
 template <int d>
-std::vector<Index> Mesh<d>::find(const Points_in<d>& points) {
-    std::vector<Index> out(points.span().size());
-    locked([&] { find_simplices<d>(*kept_cells(), mesh_.points(), points.span(), out); });
-    return out;
+std::vector<Index> Mesh<d>::find(const Points_in<d>& points) const {
+    return locked([&] { return mesh_.find_cells(points.span()); });
 }
 
 template <int d>
@@ -153,10 +147,10 @@ Strategy Mesh<d>::strategy() const {
     template std::pair<std::size_t, Strategy> Mesh<d>::summary() const;              \
     template py::array Mesh<d>::is_vertex() const;                                   \
     template std::vector<Index> Mesh<d>::vertex_of_input() const;                    \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::kept_cells();                  \
-    template std::shared_ptr<const Cells<d>> Mesh<d>::cells();                       \
-    template std::shared_ptr<const Adjacency> Mesh<d>::adjacency();                  \
-    template std::vector<Index> Mesh<d>::find(const Points_in<d>&);                  \
+    template std::shared_ptr<const Cell_lists<d>> Mesh<d>::cells() const;            \
+    template std::shared_ptr<const Vertex_neighbours> Mesh<d>::neighbours() const;   \
+    template auto Mesh<d>::hull() const->std::vector<std::array<Index, d>>;          \
+    template std::vector<Index> Mesh<d>::find(const Points_in<d>&) const;            \
     template std::vector<double> Mesh<d>::tolerances() const;                        \
     template std::vector<double> Mesh<d>::thetas() const;                            \
     template std::vector<double> Mesh<d>::displacements() const;                     \

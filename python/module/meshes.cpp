@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The classes Mesh2 and Mesh3, behind annulus.MovingDelaunay.
+#include <module/audit_tuple.h>
 #include <module/finalizing.h>
 #include <module/mesh.h>
 #include <module/parts.h>
@@ -11,14 +12,9 @@ namespace annulus::python {
 
 namespace {
 
-py::tuple audit_tuple(const Audit_result& a) {
-    return py::make_tuple(a.delaunay(), a.inverted_cells, a.violated_facets, a.concave_ridges, a.topological_faults,
-                          a.degenerate_facets, a.first_fault);
-}
-
 /// SciPy's find_simplex takes points of any shape (.., d).
 template <int d>
-py::array find_simplex(Mesh<d>& mesh, const py::object& object) {
+py::array find_simplex(const Mesh<d>& mesh, const py::object& object) {
     const Numbers x = numbers_of(object, "xi");
     if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
         throw Error(Error_code::wrong_size, "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
@@ -27,11 +23,26 @@ py::array find_simplex(Mesh<d>& mesh, const py::object& object) {
     return give(mesh.find(points), std::move(shape));
 }
 
+/// The simplices of points that span d dimensions. Read-only views of the lists; empty otherwise.
 template <int d>
-py::array flat_simplices(Mesh<d>& mesh) {
-    const auto cells = mesh.cells();
-    const py::ssize_t corners = cells->flat.empty() ? d + 1 : cells->dimension + 1;
-    return view<Index>(cells->flat.data(), {static_cast<py::ssize_t>(cells->flat.size()) / corners, corners}, cells);
+py::array simplices(const Mesh<d>& mesh, bool neighbours) {
+    static const auto none = std::make_shared<const Cell_lists<d>>(Mesh_cells<d>{}, -1, 0);
+    auto lists = mesh.cells();
+    if (lists->dimension != d) lists = none;
+    return view_rows(neighbours ? lists->cells.neighbours : lists->cells.vertices, lists);
+}
+
+/// Those of points that span less, without what pads their rows.
+template <int d>
+py::array flat_simplices(const Mesh<d>& mesh) {
+    const auto lists = mesh.cells();
+    const auto flat = std::make_shared<std::vector<Index>>();
+    const bool is_flat = lists->dimension != d && !lists->cells.vertices.empty();
+    const py::ssize_t corners = is_flat ? lists->dimension + 1 : d + 1;
+    if (is_flat)
+        for (const auto& v : lists->cells.vertices) flat->insert(flat->end(), v.begin(), v.begin() + corners);
+    const std::shared_ptr<const std::vector<Index>> owner = flat;
+    return view<Index>(owner->data(), {static_cast<py::ssize_t>(owner->size()) / corners, corners}, owner);
 }
 
 template <int d>
@@ -71,36 +82,19 @@ void add_mesh(py::module_& m, const char* name) {
         .def_property_readonly("points", &M::points)
         .def_property_readonly("is_vertex", &M::is_vertex)
         .def_property_readonly("vertex_of_input", [](const M& mesh) { return give(mesh.vertex_of_input()); })
-        .def_property_readonly("simplices",
-                               [](M& mesh) {
-                                   const auto cells = mesh.cells();
-                                   return view_rows(cells->simplices.vertices, cells);
-                               })
-        .def_property_readonly("neighbors",
-                               [](M& mesh) {
-                                   const auto cells = mesh.cells();
-                                   return view_rows(cells->simplices.neighbours, cells);
-                               })
+        .def_property_readonly("simplices", [](const M& mesh) { return simplices<d>(mesh, false); })
+        .def_property_readonly("neighbors", [](const M& mesh) { return simplices<d>(mesh, true); })
         .def_property_readonly("flat_simplices", &flat_simplices<d>)
         .def_property_readonly("vertex_to_simplex",
-                               [](M& mesh) {
-                                   const auto cells = mesh.cells();
-                                   return view<Index>(cells->simplex_of.data(),
-                                                      {static_cast<py::ssize_t>(cells->simplex_of.size())}, cells);
+                               [](const M& mesh) {
+                                   const auto lists = mesh.cells();
+                                   const auto n = static_cast<py::ssize_t>(lists->cell_of.size());
+                                   return view<Index>(lists->cell_of.data(), {n}, lists);
                                })
-        .def_property_readonly("convex_hull",
-                               [](M& mesh) {
-                                   const auto cells = mesh.cells();
-                                   std::vector<std::array<Index, static_cast<std::size_t>(d)>> hull;
-                                   {
-                                       const Without_gil without_gil;
-                                       hull = hull_of(*cells);
-                                   }
-                                   return give_rows(std::move(hull));
-                               })
+        .def_property_readonly("convex_hull", [](const M& mesh) { return give_rows(mesh.hull()); })
         .def_property_readonly("vertex_neighbor_vertices",
-                               [](M& mesh) {
-                                   const auto a = mesh.adjacency();
+                               [](const M& mesh) {
+                                   const auto a = mesh.neighbours();
                                    return py::make_tuple(
                                        view<Index>(a->begin.data(), {static_cast<py::ssize_t>(a->begin.size())}, a),
                                        view<Index>(a->index.data(), {static_cast<py::ssize_t>(a->index.size())}, a));

@@ -21,6 +21,7 @@ PYBIND11_MODULE(_core, m) {
     add_report(m);
     add_meshes(m);
     add_degeneracy(m);
+    add_predicates(m);
     add_counterexample(m);
     add_lloyd(m);
     add_nodt(m);

@@ -47,6 +47,7 @@ RIGHT = {
     "recompute_tolerances": (lambda **named: annulus.MovingDelaunay(X).recompute_tolerances(**named), {}),
     "audit": (lambda **named: annulus.MovingDelaunay(X).audit(**named), {}),
     "voronoi_volumes": (lambda **named: annulus.MovingDelaunay(X).voronoi_volumes(**named), {}),
+    "annulus.audit": (annulus.audit, {"points": X, "simplices": annulus.MovingDelaunay(X).simplices, "max_faults": 3}),
     "degeneracy": (annulus.degeneracy, {"points": X}),
     "counterexample": (annulus.counterexample, {}),
     "lloyd": (annulus.lloyd, {"points": 20, "iterations": 1}),
@@ -54,7 +55,7 @@ RIGHT = {
     "nodt": (annulus.nodt, {"surface": "sphere", "vertices": 30, "iterations": 1}),
 }
 # What these are made of is not looked at: results, and exceptions.
-PLAIN = {"AuditResult", "LloydResult", "NodtResult", "MoveReport", "Error", "OpenBoundariesWarning"}
+PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveReport", "Error", "OpenBoundariesWarning"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
@@ -69,7 +70,7 @@ ALSO = {"domain": "polygon"}
 def public_callables():
     for name in annulus.__all__:
         if callable(getattr(annulus, name)):
-            yield name, getattr(annulus, name)
+            yield "annulus." * hasattr(annulus.MovingDelaunay, name) + name, getattr(annulus, name)
     for name in dir(annulus.MovingDelaunay):
         if not name.startswith("_") and callable(getattr(annulus.MovingDelaunay, name)):
             yield name, getattr(annulus.MovingDelaunay, name)

@@ -46,6 +46,9 @@ def everything(dt, x, rng):
     _ = (dt.points, dt.simplices, dt.neighbors, dt.convex_hull, dt.vertex_neighbor_vertices, dt.vertex_to_simplex,
          dt.is_vertex)
     _ = dt.tolerances, dt.theta, dt.displacements, dt.find_simplex(x[:5]), dt.flat_simplices, dt.voronoi_volumes()
+    rows = x[:(d := x.shape[1]) + 2]
+    _ = (annulus.predicates.in_circle if d == 2 else annulus.predicates.in_sphere)(rows), annulus.audit(x, dt.simplices)
+    _ = annulus.audit(x[:-1], dt.simplices[::-1]).faults
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])
     dt.remove([4])
     dt.insert(x[4:5])

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 2
+#define ANNULUS_INTERFACE 3
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -111,6 +111,36 @@ typedef struct annulus_audit_result {
     // In words, with vertex indices. Cut if it does not fit; empty if there is no fault.
     char first_fault[232];
 } annulus_audit_result;
+
+// The sign of a determinant of points, and how firmly it holds. Lengths are in the unit of the points.
+typedef struct annulus_sign {
+    double tolerance;    // while every point is less than this from where it is here, the sign stays; a lower bound
+    double width_lower;  // the ends of an enclosure of the width of the standard annulus, for orientations of the
+    double width_upper;  // narrowest slab that holds the points; 0 if the sign is 0
+    double theta;        // angle of numerical stability in radians, 0 to pi/2; NaN for orientations
+    int32_t sign;        // -1, 0, 1: exact
+    int32_t stage;       // that decided the sign: 0 filter, 1 intervals, 2 integers
+} annulus_sign;
+
+// What is wrong with a triangulation.
+typedef enum annulus_fault_kind {
+    ANNULUS_UNKNOWN_POINT = 0,    // a cell names a point that is not there; nothing further is examined
+    ANNULUS_FLAT_CELL = 1,        // the corners of a cell are on a line, or in a plane
+    ANNULUS_OVERLAP = 2,          // two cells on one side of a facet
+    ANNULUS_UNUSED_POINT = 3,     // a point in no cell
+    ANNULUS_EQUAL_POINTS = 4,     // two points at one position
+    ANNULUS_NOT_DELAUNAY = 5,     // the sphere of a cell holds the opposite vertex of its neighbour strictly inside
+    ANNULUS_HULL_NOT_CONVEX = 6,  // the cells do not fill the convex hull
+    ANNULUS_HULL_BROKEN = 7,      // the border of the cells is not one closed surface that winds once
+    ANNULUS_NOT_FLAT = 8          // cells of a lower dimension, and a point that is not in their plane or line
+} annulus_fault_kind;
+
+// A fault, by the numbers of points and cells.
+typedef struct annulus_fault {
+    int64_t cells[2];     // the cells concerned, or -1
+    int32_t vertices[5];  // the points concerned, or -2; of an overlap the facet and the opposite corners of the cells
+    int32_t kind;         // an annulus_fault_kind
+} annulus_fault;
 
 // ---- Creating and destroying a mesh, error messages ---------------------------------------------
 
@@ -220,10 +250,29 @@ ANNULUS_API int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacit
 // Finite cells, dimension + 1 numbers each in both arrays; either may be NULL. vertices: positively oriented (in 2D
 // counter-clockwise; in 3D det(b - a, c - a, e - a) > 0), padded with -2 if all points are in a plane or on a line.
 // neighbours: the cell opposite to each vertex, -1 outside the hull. Cells have the numbers 0, 1, 2, .. until the next
-// call that changes the mesh. The list is kept until then for further calls: 24 or 32 bytes per cell. O(n).
+// call that changes a cell. The list is kept until then for further calls: 24 or 32 bytes per cell. O(n).
 // Errors: WRONG_SIZE, NO_MEMORY.
 ANNULUS_API int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, int32_t* neighbours,
                               size_t* count);
+// The vertices that an edge joins to one vertex, ascending. This function and the next three use lists that the first
+// call after a change of cells makes, O(n), and keeps: those of annulus_cells, and for neighbours about 28 (2D) or 66
+// (3D) bytes per vertex.
+// Errors: UNKNOWN_VERTEX, WRONG_SIZE, NO_MEMORY.
+ANNULUS_API int annulus_neighbours(const annulus_mesh* mesh, int32_t vertex, size_t capacity, int32_t* vertices,
+                                   size_t* count);
+// Those of all vertices: those of vertex v are vertices[begin[v]] to vertices[begin[v + 1] - 1], none at free indices.
+// begin: optional, NULL with begins 0; otherwise begins must be annulus_index_bound + 1 or more.
+// Errors: WRONG_SIZE, NO_MEMORY.
+ANNULUS_API int annulus_neighbour_lists(const annulus_mesh* mesh, size_t begins, int32_t* begin, size_t capacity,
+                                        int32_t* vertices, size_t* count);
+// The facets of the convex hull, as many numbers each as the dimension: in 2D edges with the triangulation on their
+// left, in 3D triangles that are counter-clockwise seen from outside. None if all points are on a line (in 3D: in a
+// plane). Errors: WRONG_SIZE, NO_MEMORY.
+ANNULUS_API int annulus_convex_hull(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
+// For each point the number, in annulus_cells, of a cell that contains it, in its interior or on its border; -1 outside
+// the convex hull and for NaN, and if all vertices are on a line (in 3D: in a plane). Exact. Expected O(cbrt(n)) each.
+// Errors: ENVIRONMENT, WRONG_SIZE, NO_MEMORY.
+ANNULUS_API int annulus_find_cells(const annulus_mesh* mesh, size_t points, const double* coordinates, int32_t* cells);
 // With options.report_changes: the cells that were created by the last call that changed the mesh, as vertices, -1 for
 // the vertex at infinity. For a call that makes several changes (annulus_insert, annulus_remove) the list may contain a
 // cell that no longer exists. If all points are, or were, in a plane or on a line: all finite cells. O(list).
@@ -233,6 +282,27 @@ ANNULUS_API int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32
 // An exact check in integer arithmetic that relies on none of the above. A few microseconds per vertex.
 // Errors: USAGE, NO_MEMORY.
 ANNULUS_API int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result);
+
+// ---- Without a mesh. A message is that of annulus_message(NULL, ..) ------------------------------------------------
+
+// Signs of `count` rows of points, 3, 4, 4 and 5 in a row: annulus/predicates.h describes them. orient_2d is positive
+// if a, b, c turn left; orient_3d if det(b - a, c - a, e - a) > 0; in_circle and in_sphere if the last point is
+// strictly inside the circle or sphere of the others and these are positive. 0 is an answer: nothing is perturbed. 0.1
+// to 1.5 microseconds each, and up to some ten where the sign needs integers.
+// Errors: NOT_FINITE, OUT_OF_DOMAIN, with the row in annulus_message_vertices; WRONG_SIZE, ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_orient_2d(size_t count, const double* coordinates, annulus_sign* signs);
+ANNULUS_API int annulus_orient_3d(size_t count, const double* coordinates, annulus_sign* signs);
+ANNULUS_API int annulus_in_circle(size_t count, const double* coordinates, annulus_sign* signs);
+ANNULUS_API int annulus_in_sphere(size_t count, const double* coordinates, annulus_sign* signs);
+
+// An exact verdict on a triangulation made by any program: whether the cells, dimension + 1 numbers of points each in
+// any order, are a Delaunay triangulation of all these points. If all points are in a plane or on a line, cells of that
+// dimension may be padded with -2. Lists up to `capacity` faults, sorted by kind; *count is the number listed. count is
+// optional if capacity is 0. In `result` inverted_cells counts flat cells. A few microseconds per cell.
+// Errors: USAGE, NOT_FINITE, WRONG_SIZE, TOO_LARGE, NO_MEMORY.
+ANNULUS_API int annulus_audit_cells(int dimension, size_t points, const double* coordinates, size_t cells,
+                                    const int32_t* vertices, annulus_audit_result* result, size_t capacity,
+                                    annulus_fault* faults, size_t* count);
 
 #ifdef __cplusplus
 }  // extern "C"

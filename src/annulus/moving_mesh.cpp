@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/moving_mesh.h>
 
+#include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/error.h>
 #include <annulus/engine/engine.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/kernel/kept_lists.h>
 #include <annulus/published/strategies.h>
 #include <annulus/statistics/voronoi_kept.h>
 
@@ -15,8 +17,19 @@ namespace annulus {
 template <int d>
 struct Moving_mesh<d>::Parts {
     explicit Parts(const Options& options) : engine(mesh, options, make_strategy<d>(mesh, options)) {}
+    /// The engine, for a call that may change the mesh.
+    Engine<d>& changing() {
+        lists.note_call();
+        return engine;
+    }
+    /// The positions of the lists.
+    [[nodiscard]] std::span<const Coordinates<d>> listed() const {
+        return engine.delaunay_positions().first(engine.index_bound());
+    }
+
     Delaunay_mesh<d> mesh;
     Engine<d> engine;
+    Kept_lists<d> lists{mesh};
     std::mutex measuring;
     std::unique_ptr<Kept_voronoi_volumes<d>> volumes;  // null until the first call of voronoi_volumes()
 };
@@ -42,7 +55,7 @@ void hand_over(Move_report& done, Move_report* report) {
 template <int d>
 Moving_mesh<d>::Moving_mesh(std::span<const Point> points, const Options& options)
     : parts_(std::make_unique<Parts>(options)) {
-    parts_->engine.build(points);
+    parts_->changing().build(points);
 }
 template <int d>
 Moving_mesh<d>::Moving_mesh(std::span<const double> coordinates, const Options& options)
@@ -56,20 +69,20 @@ Moving_mesh<d>& Moving_mesh<d>::operator=(Moving_mesh&&) noexcept = default;
 
 template <int d>
 Move_report Moving_mesh<d>::move(Index i, const Point& p) {
-    return parts_->engine.move(i, p);
+    return parts_->changing().move(i, p);
 }
 template <int d>
 Move_report Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
-    return parts_->engine.move(indices, points);
+    return parts_->changing().move(indices, points);
 }
 template <int d>
 Move_report Moving_mesh<d>::move_all(std::span<const Point> points) {
-    return parts_->engine.move_all(points);
+    return parts_->changing().move_all(points);
 }
 template <int d>
 Index Moving_mesh<d>::insert(const Point& p, Move_report* report) {
     Move_report done;
-    const Index i = parts_->engine.insert(p, done);
+    const Index i = parts_->changing().insert(p, done);
     hand_over(done, report);
     return i;
 }
@@ -77,12 +90,12 @@ template <int d>
 void Moving_mesh<d>::remove(Index i, Move_report* report) {
     parts_->engine.require_vertex(i);
     Move_report done;
-    parts_->engine.remove(i, done);
+    parts_->changing().remove(i, done);
     hand_over(done, report);
 }
 template <int d>
 Move_report Moving_mesh<d>::recompute_tolerances() {
-    return parts_->engine.recompute_tolerances();
+    return parts_->changing().recompute_tolerances();
 }
 
 template <int d>
@@ -113,6 +126,36 @@ auto Moving_mesh<d>::points() const -> std::span<const Point> {
 template <int d>
 Mesh_cells<d> Moving_mesh<d>::cells() const {
     return parts_->engine.cells();
+}
+
+template <int d>
+auto Moving_mesh<d>::cell_lists() const -> std::shared_ptr<const Cell_lists<d>> {
+    return parts_->lists.cells(parts_->listed());
+}
+template <int d>
+std::span<const Index> Moving_mesh<d>::neighbors(Index i) const {
+    parts_->engine.require_vertex(i);
+    return parts_->lists.neighbours(parts_->listed())->of(i);
+}
+template <int d>
+std::shared_ptr<const Vertex_neighbours> Moving_mesh<d>::vertex_neighbors() const {
+    return parts_->lists.neighbours(parts_->listed());
+}
+template <int d>
+auto Moving_mesh<d>::convex_hull() const -> std::vector<std::array<Index, static_cast<std::size_t>(d)>> {
+    return *parts_->lists.hull(parts_->listed());
+}
+template <int d>
+Index Moving_mesh<d>::find_cell(const Point& p) const {
+    return find_cells(std::span(&p, 1)).front();
+}
+template <int d>
+std::vector<Index> Moving_mesh<d>::find_cells(std::span<const Point> points) const {
+    require_sound_environment();
+    const auto lists = cell_lists();
+    std::vector<Index> found(points.size());
+    annulus::find_cells<d>(*lists, this->points(), points, found);
+    return found;
 }
 
 template <int d>

@@ -5,9 +5,11 @@
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
 #include <annulus/mesh/audit.h>
+#include <annulus/mesh/cell_lists.h>
 #include <annulus/mesh/measures.h>
 #include <annulus/mesh/mesh_cells.h>
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -68,6 +70,29 @@ class Moving_mesh {
     [[nodiscard]] std::span<const Point> points() const;
     /// Every finite cell. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const;
+
+    // Lists, which are made on request and kept until a cell changes: 24 (2D) or 32 (3D) bytes per cell and 4 per
+    // vertex for the cells, about 28 (2D) or 66 (3D) per vertex for neighbours. After a change the first call is O(n).
+    // While all vertices are in a plane or on a line, every call that may change the mesh counts as a change. A span
+    // is valid until the next call of a member that is not const; a list that is shared is never changed.
+
+    /// The same as cells(), with a cell of each vertex.
+    [[nodiscard]] std::shared_ptr<const Cell_lists<d>> cell_lists() const;
+    /// The vertices that an edge joins to vertex i, in ascending order. Throws unknown_vertex.
+    [[nodiscard]] std::span<const Index> neighbors(Index i) const;
+    /// Those of all vertices; none at free indices.
+    [[nodiscard]] std::shared_ptr<const Vertex_neighbours> vertex_neighbors() const;
+    /// The vertices of the facets of the convex hull: in 2D edges with the triangulation on their left, in 3D triangles
+    /// that are counter-clockwise seen from outside. Empty if the vertices do not span d dimensions.
+    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d)>> convex_hull() const;
+    /// The number, in cells(), of a cell that contains p in its interior or on its border; -1 if p is outside the
+    /// convex hull or has a coordinate that is not a number, and if the vertices do not span d dimensions. Exact: found
+    /// by a walk whose every turn is decided by an exact sign. For a point on a facet it is any cell of that facet.
+    /// Expected O(cbrt(n)), with a list of cells that is kept. Throws environment.
+    [[nodiscard]] Index find_cell(const Point& p) const;
+    /// The same for several points. A walk begins where the last one ended if nothing better is found, so points in an
+    /// order in which neighbours follow each other are found faster.
+    [[nodiscard]] std::vector<Index> find_cells(std::span<const Point> points) const;
     /// By vertex index: how far the vertex may be from its fixed position while every other vertex is within its own
     /// tolerance of its own fixed position; a certified lower bound with Tolerance_kind::certified. While no tolerances
     /// are kept, the least tolerance of its certificates. 0 at free indices and if all points are in a plane or on a

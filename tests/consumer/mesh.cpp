@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/audit.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/predicates.h>
 
 #ifdef CGAL_VERSION
-#error "moving_mesh.h is to be without CGAL"
+#error "these headers are to be without CGAL"
 #endif
 
 #include <cmath>
@@ -21,6 +23,11 @@ int main() {
     if (report.moves.asked != 200 || cells.vertices.empty() || cells.vertices.size() != cells.neighbours.size())
         return 1;
     if (!mesh.audit().delaunay()) return 1;
+    if (!annulus::audit(mesh.points(), std::span(cells.vertices)).delaunay()) return 1;
+    const auto& corner = cells.vertices[0];
+    const auto at = [&](std::size_t i) { return mesh.points()[static_cast<std::size_t>(corner[i])]; };
+    if (annulus::orient_3d(at(0), at(1), at(2), at(3)).sign != 1) return 1;
+    if (mesh.find_cell(mesh.points()[7]) < 0 || mesh.neighbors(7).size() < 3 || mesh.convex_hull().size() < 4) return 1;
 
     annulus::Moving_mesh_3 other = std::move(mesh);
     const annulus::Index v = other.insert({0.5, 0.5, 2.0});

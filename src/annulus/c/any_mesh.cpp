@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <mutex>
 
 namespace annulus::c {
 
@@ -35,29 +34,18 @@ class Mesh_of final : public Any_mesh {
     std::span<const Index> vertex_of_input() const override { return mesh_.vertex_of_input(); }
 
     Move_report move_all(const double* x, std::size_t points) override {
-        cells_.reset();
         return mesh_.move_all(as_points<d>(x, points));
     }
     Move_report move(std::span<const Index> indices, const double* x) override {
-        cells_.reset();
         return mesh_.move(indices, as_points<d>(x, indices.size()));
     }
     void require_positions(const double* x, std::size_t points) const override {
         const auto all = as_points<d>(x, points);
         for (std::size_t k = 0; k < points; ++k) require_in_domain(all[k], "point", static_cast<std::int64_t>(k));
     }
-    Index insert(const double* x, Move_report& report) override {
-        cells_.reset();
-        return mesh_.insert(as_points<d>(x, 1)[0], &report);
-    }
-    void remove(Index i, Move_report& report) override {
-        cells_.reset();
-        mesh_.remove(i, &report);
-    }
-    Move_report recompute_tolerances() override {
-        cells_.reset();
-        return mesh_.recompute_tolerances();
-    }
+    Index insert(const double* x, Move_report& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
+    void remove(Index i, Move_report& report) override { mesh_.remove(i, &report); }
+    Move_report recompute_tolerances() override { return mesh_.recompute_tolerances(); }
 
     void points(double* x) const override {
         const auto now = mesh_.points();
@@ -77,31 +65,34 @@ class Mesh_of final : public Any_mesh {
         std::vector<double> v;
         std::vector<Index> n;
         if (volumes != nullptr) v = mesh_.voronoi_volumes();
-        if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), *listed());
+        if (neighbour_counts != nullptr) n = voronoi_neighbour_counts<d>(index_bound(), mesh_.cell_lists()->cells);
         std::copy(v.begin(), v.end(), volumes);
         std::copy(n.begin(), n.end(), neighbour_counts);
     }
     Cells cells() const override {
-        const auto cells = listed();
-        Cells out{cells, nullptr, nullptr, cells->vertices.size()};
+        const auto lists = mesh_.cell_lists();
+        Cells out{lists, nullptr, nullptr, lists->cells.vertices.size()};
         if (out.count > 0) {
-            out.vertices = cells->vertices.front().data();
-            out.neighbours = cells->neighbours.front().data();
+            out.vertices = lists->cells.vertices.front().data();
+            out.neighbours = lists->cells.neighbours.front().data();
         }
         return out;
+    }
+    std::span<const Index> neighbours(Index v) const override { return mesh_.neighbors(v); }
+    std::shared_ptr<const Vertex_neighbours> neighbour_lists() const override { return mesh_.vertex_neighbors(); }
+    std::vector<Index> hull() const override {
+        std::vector<Index> vertices;
+        for (const auto& facet : mesh_.convex_hull()) vertices.insert(vertices.end(), facet.begin(), facet.end());
+        return vertices;
+    }
+    void find_cells(const double* x, std::size_t points, Index* cells) const override {
+        const std::vector<Index> found = mesh_.find_cells(as_points<d>(x, points));
+        std::copy(found.begin(), found.end(), cells);
     }
     Audit_result audit() const override { return mesh_.audit(); }
 
   private:
-    std::shared_ptr<const Mesh_cells<d>> listed() const {
-        const std::lock_guard lock(listing_);
-        if (!cells_) cells_ = std::make_shared<const Mesh_cells<d>>(mesh_.cells());
-        return cells_;
-    }
-
     Moving_mesh<d> mesh_;
-    mutable std::mutex listing_;
-    mutable std::shared_ptr<const Mesh_cells<d>> cells_;
 };
 
 }  // namespace

@@ -4,11 +4,13 @@
 #include <annulus/engine/move_report.h>
 #include <annulus/engine/options.h>
 #include <annulus/mesh/audit.h>
+#include <annulus/mesh/cell_lists.h>
 
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace annulus::c {
 
@@ -48,8 +50,14 @@ class Any_mesh {
     virtual void displacements(double* lengths) const = 0;
     /// Either array may be null.
     virtual void voronoi(double* volumes, Index* neighbour_counts) const = 0;
-    /// The list is computed once after a change of the mesh and then reused.
+    // Lists are made once after a change of the mesh and then reused.
     [[nodiscard]] virtual Cells cells() const = 0;
+    /// Valid until the next call that is not const. Throws unknown_vertex.
+    [[nodiscard]] virtual std::span<const Index> neighbours(Index v) const = 0;
+    [[nodiscard]] virtual std::shared_ptr<const Vertex_neighbours> neighbour_lists() const = 0;
+    /// `dimension` vertices for each facet.
+    [[nodiscard]] virtual std::vector<Index> hull() const = 0;
+    virtual void find_cells(const double* x, std::size_t points, Index* cells) const = 0;
     [[nodiscard]] virtual Audit_result audit() const = 0;
 };
 

@@ -134,6 +134,52 @@ int annulus_cells(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, 
     });
 }
 
+int annulus_neighbours(const annulus_mesh* mesh, int32_t vertex, size_t capacity, int32_t* vertices, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        const auto all = m.mesh->neighbours(vertex);
+        *count = all.size();
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, all.size(), "neighbours");
+        require(vertices, capacity, "vertices");
+        copy(all.data(), all.size(), vertices);
+    });
+}
+
+int annulus_neighbour_lists(const annulus_mesh* mesh, size_t begins, int32_t* begin, size_t capacity, int32_t* vertices,
+                            size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        const auto lists = m.mesh->neighbour_lists();
+        *count = lists->index.size();
+        if (begin != nullptr || begins > 0) require_capacity(begins, lists->begin.size(), "begins");
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, lists->index.size(), "neighbours");
+        require(begin, begins, "begin");
+        require(vertices, capacity, "vertices");
+        copy(lists->begin.data(), lists->begin.size(), begin);
+        copy(lists->index.data(), lists->index.size(), vertices);
+    });
+}
+
+int annulus_convex_hull(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        const auto all = m.mesh->hull();
+        *count = all.size() / static_cast<std::size_t>(m.mesh->dimension());
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "facets");
+        require(vertices, capacity, "vertices");
+        copy(all.data(), all.size(), vertices);
+    });
+}
+
+int annulus_find_cells(const annulus_mesh* mesh, size_t points, const double* coordinates, int32_t* cells) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require_count(points, "points");
+        require(coordinates, points, "coordinates");
+        require(cells, points, "cells");
+        m.mesh->find_cells(coordinates, points, cells);
+    });
+}
+
 int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
     return guarded(mesh, [&](const annulus_mesh& m) {
         require(count, "count");
@@ -149,16 +195,6 @@ int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result) {
     return guarded(mesh, [&](const annulus_mesh& m) {
         require(result, "result");
         require_struct(result->size, sizeof(result->size), "annulus_audit_result");
-        const Audit_result verdict = m.mesh->audit();
-        annulus_audit_result r{};
-        r.delaunay = verdict.delaunay() ? 1 : 0;
-        r.inverted_cells = verdict.inverted_cells;
-        r.violated_facets = verdict.violated_facets;
-        r.concave_ridges = verdict.concave_ridges;
-        r.topological_faults = verdict.topological_faults;
-        r.degenerate_facets = verdict.degenerate_facets;
-        const std::size_t length = std::min(verdict.first_fault.size(), sizeof r.first_fault - 1);
-        std::copy_n(verdict.first_fault.data(), length, r.first_fault);
-        write_struct(result, r);
+        write_audit(result, m.mesh->audit());
     });
 }

@@ -65,4 +65,17 @@ void write_report(annulus_report* to, const Move_report& done, int dimension, st
     write_struct(to, r);
 }
 
+void write_audit(annulus_audit_result* to, const Audit_result& verdict) {
+    annulus_audit_result r{};
+    r.delaunay = verdict.delaunay() ? 1 : 0;
+    r.inverted_cells = verdict.inverted_cells;
+    r.violated_facets = verdict.violated_facets;
+    r.concave_ridges = verdict.concave_ridges;
+    r.topological_faults = verdict.topological_faults;
+    r.degenerate_facets = verdict.degenerate_facets;
+    const std::size_t length = std::min(verdict.first_fault.size(), sizeof r.first_fault - 1);
+    std::copy_n(verdict.first_fault.data(), length, r.first_fault);
+    write_struct(to, r);
+}
+
 }  // namespace annulus::c

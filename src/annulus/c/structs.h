@@ -31,6 +31,8 @@ void write_struct(Struct* to, Struct value) {
 inline void require_report(const annulus_report* report) {
     if (report != nullptr) require_struct(report->size, sizeof(report->size), "annulus_report");
 }
+/// Precondition: require_struct of its size.
+void write_audit(annulus_audit_result* to, const Audit_result& verdict);
 /// changed: the number of entries of Move_report::changed, d + 1 per cell.
 void write_report(annulus_report* to, const Move_report& done, int dimension, std::size_t changed);
 

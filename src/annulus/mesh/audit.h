@@ -4,10 +4,12 @@
 #include <annulus/arithmetic/coordinates.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace annulus {
@@ -23,6 +25,37 @@ struct Audit_input {
     std::vector<Index> names = {};
     /// Called now and then by the auditing thread; an exception that it throws ends the audit. May be empty.
     std::function<void()> between = {};
+    /// How many faults to list, beside counting all.
+    std::size_t most_faults = 0;
+};
+
+/// What is wrong with a triangulation.
+enum class Fault : std::uint8_t {
+    unknown_vertex,   ///< a cell names a vertex that is not there; nothing further is examined
+    flat_cell,        ///< a cell that is not positively oriented
+    overlap,          ///< two cells on one side of a facet
+    unused_vertex,    ///< a vertex in no cell
+    duplicate_point,  ///< two vertices at one position
+    not_delaunay,     ///< the sphere of a cell holds the opposite vertex of its neighbour strictly inside
+    hull_not_convex,  ///< the cells do not fill the convex hull
+    hull_broken,      ///< the border of the cells is not one closed surface that winds once
+    not_flat,         ///< cells of a lower dimension, and a vertex that is not in their hyperplane
+};
+[[nodiscard]] constexpr std::string_view name_of(Fault f) {
+    constexpr std::array<std::string_view, 9> names{"unknown_vertex",  "flat_cell",       "overlap",
+                                                    "unused_vertex",   "duplicate_point", "not_delaunay",
+                                                    "hull_not_convex", "hull_broken",     "not_flat"};
+    return names[static_cast<std::size_t>(f)];
+}
+
+/// One fault. Vertices have the caller's names.
+struct Audit_fault {
+    Fault kind = Fault::unknown_vertex;
+    /// Those that the text names; after the facet of an `overlap` the opposite vertices of both cells. Then `none`.
+    std::array<Index, 5> vertices{none, none, none, none, none};
+    /// The cells concerned, by number, where they are known (annulus/audit.h); otherwise -1.
+    std::array<std::int64_t, 2> cells{-1, -1};
+    std::string text;
 };
 
 /// The verdict of an audit, and the first fault found.
@@ -33,6 +66,7 @@ struct Audit_result {
     std::uint64_t topological_faults = 0;  ///< facet shared by more than two cells, open boundary, missing vertex ...
     std::uint64_t degenerate_facets = 0;   ///< cospherical bi-cells: no fault, the triangulation is not unique there
     std::string first_fault;               ///< as text; empty when there is none
+    std::vector<Audit_fault> faults;       ///< as many as the input asks for, in no particular order
 
     /// The cells are a Delaunay triangulation of the points.
     [[nodiscard]] bool delaunay() const {

@@ -63,19 +63,19 @@ Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const st
     for (const auto& c : cells) {
         r.poll();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
-            fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
+            fault(r, Fault::unknown_vertex, "a cell names a vertex that is not there:", {c[0], c[1], c[2]});
             return r;
         }
         for (const Index v : c) used[at(v)] = 1;
         if (predicates.turn(c[0], c[1], c[2]) <= 0)
-            fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2]}));
+            fault(r, Fault::flat_cell, "cell not positively oriented:", {c[0], c[1], c[2]});
         for (std::size_t i = 0; i < 3; ++i)
             if (!opposite.emplace(key(c[(i + 1) % 3], c[(i + 2) % 3]), c[i]).second)
-                fault(r, r.topological_faults,
-                      named(r, "two cells on one side of the edge", {c[(i + 1) % 3], c[(i + 2) % 3]}));
+                fault(r, Fault::overlap, "two cells on one side of the edge", {c[(i + 1) % 3], c[(i + 2) % 3]},
+                      {opposite.at(key(c[(i + 1) % 3], c[(i + 2) % 3])), c[i]});
     }
     for (std::size_t v = 0; v < n; ++v)
-        if (!used[v]) fault(r, r.topological_faults, named(r, "vertex in no cell:", {static_cast<Index>(v)}));
+        if (!used[v]) fault(r, Fault::unused_vertex, "vertex in no cell:", {static_cast<Index>(v)});
 
     // Interior edges must be locally Delaunay. Border edges a -> b, with the interior on their left, define `next`.
     std::unordered_map<Index, Index> next;
@@ -85,20 +85,19 @@ Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const st
         const auto b = static_cast<Index>(edge & 0xffffffffU);
         const auto other = opposite.find(key(b, a));
         if (other == opposite.end()) {
-            if (!next.emplace(a, b).second)
-                fault(r, r.topological_faults, named(r, "the border passes twice through vertex", {a}));
+            if (!next.emplace(a, b).second) fault(r, Fault::hull_broken, "the border passes twice through vertex", {a});
             continue;
         }
         if (a > b) continue;
         const int side = predicates.inside(a, b, apex, other->second);
         if (side == 0) ++r.degenerate_facets;
         if (side > 0)
-            fault(r, r.violated_facets, named(r, "not locally Delaunay: edge, opposites", {a, b, apex, other->second}));
+            fault(r, Fault::not_delaunay, "not locally Delaunay: edge, opposites", {a, b, apex, other->second});
     }
     // The border must be one closed curve, convex, and turn once: its direction enters the upper half-plane exactly
     // once.
     if (next.empty()) {
-        fault(r, r.topological_faults, "no border");
+        fault(r, Fault::hull_broken, "no border");
         return r;
     }
     std::size_t length = 0;
@@ -109,21 +108,21 @@ Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t n, const st
         const auto b = next.find(a);
         const auto c = b == next.end() ? next.end() : next.find(b->second);
         if (c == next.end()) {
-            fault(r, r.topological_faults, named(r, "the border is open at vertex", {a}));
+            fault(r, Fault::hull_broken, "the border is open at vertex", {a});
             return r;
         }
         const int turn = predicates.turn(a, b->second, c->second);
         const int before = predicates.half_plane(a, b->second);
         const int after = predicates.half_plane(b->second, c->second);
-        if (turn < 0) fault(r, r.concave_ridges, named(r, "border not convex at", {a, b->second, c->second}));
+        if (turn < 0) fault(r, Fault::hull_not_convex, "border not convex at", {a, b->second, c->second});
         if (turn == 0 && before != after)
-            fault(r, r.concave_ridges, named(r, "border folds back at", {a, b->second, c->second}));
+            fault(r, Fault::hull_not_convex, "border folds back at", {a, b->second, c->second});
         if (before < 0 && after > 0) ++turns;
         a = b->second;
         ++length;
     } while (a != first && length <= next.size());
-    if (length != next.size()) fault(r, r.topological_faults, "the border is more than one closed curve");
-    if (turns != 1) fault(r, r.topological_faults, "the border does not wind once");
+    if (length != next.size()) fault(r, Fault::hull_broken, "the border is more than one closed curve");
+    if (turns != 1) fault(r, Fault::hull_broken, "the border does not wind once");
     return r;
 }
 
@@ -143,8 +142,7 @@ Audit_result audit(const Audit_input<2>& in, Index first_index) {
     // Points that span no area must all be collinear, and the edges must join neighbours on the line.
     for (std::size_t i = 2; i < order.size(); ++i)
         if (predicates.turn(order[0], order[1], order[i]) != 0)
-            fault(r, r.topological_faults,
-                  named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
+            fault(r, Fault::not_flat, "no triangle, but not collinear with the rest: vertex", {order[i]});
     expect_chain(in.cells, order, r);
     return r;
 }

@@ -37,7 +37,7 @@ constexpr std::array<std::array<std::size_t, 4>, 4> outer_facets{
 /// outside.
 void audit_border(Audit_predicates_3& predicates, const Cell& any, const std::vector<Triple>& border, Findings& r) {
     if (border.empty()) {
-        fault(r, r.topological_faults, "no boundary");
+        fault(r, Fault::hull_broken, "no boundary");
         return;
     }
     // Directed edge a -> b and the third vertex of the triangle on its left.
@@ -49,34 +49,33 @@ void audit_border(Audit_predicates_3& predicates, const Cell& any, const std::ve
     for (const Triple& f : border)
         for (std::size_t i = 0; i < 3; ++i)
             if (!left.emplace(key(f[i], f[(i + 1) % 3]), f[(i + 2) % 3]).second)
-                fault(r, r.topological_faults,
-                      named(r, "two boundary triangles on one side of the edge", {f[i], f[(i + 1) % 3]}));
+                fault(r, Fault::hull_broken, "two boundary triangles on one side of the edge", {f[i], f[(i + 1) % 3]});
     for (const auto& [edge, c] : left) {
         const auto a = static_cast<Index>(edge >> 32);
         const auto b = static_cast<Index>(edge & 0xffffffffU);
         const auto other = left.find(key(b, a));
         if (other == left.end()) {
-            fault(r, r.topological_faults, named(r, "the boundary is open at the edge", {a, b}));
+            fault(r, Fault::hull_broken, "the boundary is open at the edge", {a, b});
             continue;
         }
         if (a > b) continue;
         const int side = predicates.orientation(a, b, c, other->second);  // positive: outside the triangle a b c
         if (side > 0 || (side == 0 && !predicates.opposite(a, b, c, other->second)))
-            fault(r, r.concave_ridges, named(r, "boundary not convex at edge, opposites", {a, b, c, other->second}));
+            fault(r, Fault::hull_not_convex, "boundary not convex at edge, opposites", {a, b, c, other->second});
     }
     predicates.take_middle(any);
     bool star_shaped = true;
     for (const Triple& f : border)
         if (predicates.orientation_of_middle(f) >= 0) {
             if (star_shaped)
-                fault(r, r.concave_ridges, named(r, "a cell is not behind the boundary triangle", {f[0], f[1], f[2]}));
+                fault(r, Fault::hull_not_convex, "a cell is not behind the boundary triangle", {f[0], f[1], f[2]});
             star_shaped = false;
         }
     if (!star_shaped) return;
     std::size_t sheets = 0;
     for (const Triple& f : border)
         if (predicates.meets(f, border.front())) ++sheets;
-    if (sheets != 1) fault(r, r.topological_faults, "the boundary does not wind once");
+    if (sheets != 1) fault(r, Fault::hull_broken, "the boundary does not wind once");
 }
 
 /// The audit of points that span no volume.
@@ -87,8 +86,7 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
     if (!triangles) {
         for (std::size_t i = 2; i < order.size(); ++i)
             if (!predicates.collinear(order[0], order[1], order[i]))
-                fault(r, r.topological_faults,
-                      named(r, "no triangle, but not collinear with the rest: vertex", {order[i]}));
+                fault(r, Fault::not_flat, "no triangle, but not collinear with the rest: vertex", {order[i]});
         expect_chain(in.cells, order, r);
         return r;
     }
@@ -96,7 +94,7 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
     for (const Cell& c : in.cells) {
         if (*std::min_element(c.begin(), c.begin() + 3) < 0 ||
             at(*std::max_element(c.begin(), c.end())) >= sites.size()) {
-            fault(r, r.topological_faults, named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2]}));
+            fault(r, Fault::unknown_vertex, "a cell names a vertex that is not there:", {c[0], c[1], c[2]});
             return r;
         }
         cells.push_back({c[0], c[1], c[2]});
@@ -104,12 +102,12 @@ Audit_result audit_flat(const Audit_input<3>& in, const std::vector<Index>& orde
     const Triple first = cells.front();
     for (Index v = 0; at(v) < sites.size(); ++v)
         if (predicates.orientation(first[0], first[1], first[2], v) != 0)
-            fault(r, r.topological_faults, named(r, "no cell, but not coplanar with the rest: vertex", {v}));
+            fault(r, Fault::not_flat, "no cell, but not coplanar with the rest: vertex", {v});
     // Seen along an axis along which the first triangle has an area, from the side on which it turns left.
     std::size_t axis = 0;
     while (axis < 3 && predicates.turn(first[0], first[1], first[2], axis) == 0) ++axis;
     if (axis == 3) {
-        fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {first[0], first[1], first[2]}));
+        fault(r, Fault::flat_cell, "cell not positively oriented:", {first[0], first[1], first[2]});
         return r;
     }
     std::size_t x = (axis + 1) % 3;
@@ -141,24 +139,23 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     for (const Cell& c : in.cells) {
         r.poll();
         if (*std::min_element(c.begin(), c.end()) < 0 || at(*std::max_element(c.begin(), c.end())) >= n) {
-            fault(r, r.topological_faults,
-                  named(r, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]}));
+            fault(r, Fault::unknown_vertex, "a cell names a vertex that is not there:", {c[0], c[1], c[2], c[3]});
             return r;
         }
         for (const Index v : c) used[at(v)] = 1;
         if (predicates.orientation(c[0], c[1], c[2], c[3]) <= 0)
-            fault(r, r.inverted_cells, named(r, "cell not positively oriented:", {c[0], c[1], c[2], c[3]}));
+            fault(r, Fault::flat_cell, "cell not positively oriented:", {c[0], c[1], c[2], c[3]});
         for (const auto& f : outer_facets)
             if (!behind.emplace(canonical({c[f[0]], c[f[1]], c[f[2]]}), c[f[3]]).second)
-                fault(r, r.topological_faults,
-                      named(r, "two cells on one side of the facet", {c[f[0]], c[f[1]], c[f[2]]}));
+                fault(r, Fault::overlap, "two cells on one side of the facet", {c[f[0]], c[f[1]], c[f[2]]},
+                      {behind.at(canonical({c[f[0]], c[f[1]], c[f[2]]})), c[f[3]]});
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < i; ++j)
                 edges.push_back((static_cast<std::uint64_t>(std::min(c[i], c[j])) << 32) |
                                 static_cast<std::uint32_t>(std::max(c[i], c[j])));
     }
     for (std::size_t v = 0; v < n; ++v)
-        if (!used[v]) fault(r, r.topological_faults, named(r, "vertex in no cell:", {static_cast<Index>(v)}));
+        if (!used[v]) fault(r, Fault::unused_vertex, "vertex in no cell:", {static_cast<Index>(v)});
 
     std::vector<Triple> border;
     for (const auto& [f, q] : behind) {
@@ -173,13 +170,13 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
         const int side = predicates.inside({f[0], f[2], f[1], q}, other->second);
         if (side == 0) ++r.degenerate_facets;
         if (side > 0)
-            fault(r, r.violated_facets,
-                  named(r, "not locally Delaunay: facet, opposites", {f[0], f[1], f[2], q, other->second}));
+            fault(r, Fault::not_delaunay, "not locally Delaunay: facet, opposites",
+                  {f[0], f[1], f[2], q, other->second});
     }
     std::sort(edges.begin(), edges.end());
     const auto e = static_cast<std::size_t>(std::unique(edges.begin(), edges.end()) - edges.begin());
     const std::size_t facets = border.size() + (behind.size() - border.size()) / 2;
-    if (n + facets != e + in.cells.size() + 1) fault(r, r.topological_faults, "Euler's relation fails");
+    if (n + facets != e + in.cells.size() + 1) fault(r, Fault::hull_broken, "Euler's relation fails");
     audit_border(predicates, in.cells.front(), border, r);
     return r;
 }

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 namespace annulus::auditing {
 
@@ -66,7 +68,7 @@ std::vector<Integer_point<d>> integer_points(const std::vector<Coordinates<d>>& 
 struct Findings : Audit_result {
     template <int d>
     Findings(const Audit_input<d>& input, Index first_index)
-        : first(first_index), names(input.names), between(input.between) {}
+        : first(first_index), names(input.names), between(input.between), most_faults(input.most_faults) {}
 
     [[nodiscard]] long long name_of(Index i) const {
         if (i >= 0 && at(i) < names.size()) i = names[at(i)];
@@ -81,13 +83,9 @@ struct Findings : Audit_result {
     Index first;
     std::span<const Index> names;
     const std::function<void()>& between;
+    std::size_t most_faults;
     std::uint32_t steps = 0;
 };
-
-inline void fault(Audit_result& r, std::uint64_t& counter, const std::string& words) {
-    ++counter;
-    if (r.first_fault.empty()) r.first_fault = words;
-}
 
 /// A text followed by vertices under the caller's names.
 inline std::string named(const Findings& r, const char* what, std::initializer_list<Index> v) {
@@ -97,6 +95,28 @@ inline std::string named(const Findings& r, const char* what, std::initializer_l
         s += std::to_string(r.name_of(i));
     }
     return s;
+}
+
+inline std::uint64_t& count_of(Audit_result& r, Fault kind) {
+    if (kind == Fault::flat_cell) return r.inverted_cells;
+    if (kind == Fault::not_delaunay) return r.violated_facets;
+    return kind == Fault::hull_not_convex ? r.concave_ridges : r.topological_faults;
+}
+
+/// Counts a fault, and lists it while there is room: a text, the vertices that it names, and others for the list only.
+inline void fault(Findings& r, Fault kind, const char* what, std::initializer_list<Index> v = {},
+                  std::initializer_list<Index> unnamed = {}) {
+    ++count_of(r, kind);
+    if (!r.first_fault.empty() && r.faults.size() >= r.most_faults) return;
+    std::string text = named(r, what, v);
+    if (r.first_fault.empty()) r.first_fault = text;
+    if (r.faults.size() >= r.most_faults) return;
+    Audit_fault& f = r.faults.emplace_back();
+    f.kind = kind;
+    f.text = std::move(text);
+    std::size_t k = 0;
+    for (const auto& list : {v, unnamed})
+        for (const Index i : list) f.vertices[k++] = static_cast<Index>(r.name_of(i));
 }
 
 template <int d>
@@ -112,13 +132,13 @@ template <int d>
 void find_duplicates(const std::vector<Coordinates<d>>& p, const std::vector<Index>& order, Findings& r) {
     for (std::size_t i = 1; i < order.size(); ++i)
         if (p[at(order[i - 1])] == p[at(order[i])])
-            fault(r, r.topological_faults, named(r, "two vertices at one place:", {order[i - 1], order[i]}));
+            fault(r, Fault::duplicate_point, "two vertices at one place:", {order[i - 1], order[i]});
 }
 
 /// Compares the edges with those that join consecutive points of a line; `order` is lexicographic.
 template <std::size_t k>
 void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vector<Index>& order, Findings& r) {
-    if (order.size() <= 1 && !cells.empty()) fault(r, r.topological_faults, "cells, but not two points to join");
+    if (order.size() <= 1 && !cells.empty()) fault(r, Fault::hull_broken, "cells, but not two points to join");
     if (order.size() <= 1) return;
     std::vector<std::array<Index, 2>> expected;
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -127,7 +147,7 @@ void expect_chain(const std::vector<std::array<Index, k>>& cells, const std::vec
     for (const auto& c : cells) found.push_back({std::min(c[0], c[1]), std::max(c[0], c[1])});
     std::sort(expected.begin(), expected.end());
     std::sort(found.begin(), found.end());
-    if (expected != found) fault(r, r.topological_faults, "the edges do not join consecutive points of the line");
+    if (expected != found) fault(r, Fault::hull_broken, "the edges do not join consecutive points of the line");
 }
 
 /// Points of a plane in 3D, seen from one of its sides: orientation and circles by integers. Lengths are measured in

@@ -15,6 +15,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -187,6 +188,8 @@ class Corner_table {
     void set_twin_only(Corner_index h, Corner_index t) { twin_[h] = t; }
     /// Sets the corner of v, which may be `infinite`.
     void set_corner(Index v, Corner_index h) { note_corner(v, h); }
+    /// How many times a cell was written to, or all of them were replaced: equal numbers, equal cells.
+    [[nodiscard]] std::uint64_t writes() const noexcept { return writes_; }
     /// Sets the log whose record() is called before a place is written to; nullptr: none.
     void set_observer(Change_log<d>* log) noexcept { change_log_ = log; }
     /// The same for dirty cells, until clear_dirty_cells() or the end of the table's life.
@@ -218,12 +221,14 @@ class Corner_table {
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::cells) + " cells");
     }
     void record(Cell_index c) noexcept {
+        ++writes_;
         if (change_log_ != nullptr) [[unlikely]]
             change_log_->record(c, *this);
         if (dirty_cells_ != nullptr) [[unlikely]]
             dirty_cells_->record(c, twin_.size() / 4);
     }
     void record_all() noexcept {
+        ++writes_;
         if (change_log_ != nullptr) change_log_->record_all(*this);
         if (dirty_cells_ != nullptr) dirty_cells_->record_all();
     }
@@ -236,6 +241,7 @@ class Corner_table {
     std::vector<Cell_index> free_cells_;
     Change_log<d>* change_log_ = nullptr;
     Dirty_cells* dirty_cells_ = nullptr;
+    std::uint64_t writes_ = 0;
 };
 
 template <int d>
