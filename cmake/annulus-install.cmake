@@ -7,9 +7,6 @@ include(CMakePackageConfigHelpers)
 set(annulus_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/annulus")
 
 install(TARGETS annulus EXPORT annulusTargets COMPONENT development)
-if(TARGET annulus-toolkit)
-    install(TARGETS annulus-toolkit EXPORT annulusToolkitTargets COMPONENT development)
-endif()
 if(TARGET annulus-c)
     install(TARGETS annulus-c EXPORT annulusCTargets
             LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
@@ -22,12 +19,8 @@ if(TARGET annulus-c)
             COMPONENT development)
 endif()
 install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus" COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN cli EXCLUDE PATTERN c EXCLUDE PATTERN experiment EXCLUDE
-        PATTERN reproduction EXCLUDE)
+        FILES_MATCHING PATTERN "*.h" PATTERN c EXCLUDE)
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
-if(TARGET annulus-toolkit)
-    install(EXPORT annulusToolkitTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
-endif()
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake
                               INSTALL_DESTINATION "${annulus_package_dir}")

@@ -75,8 +75,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
 annulus_package(development libannulus-dev libdevel "Delaunay triangulations of moving points, development files"
     "This package has the headers and libraries for programs in C++ and C, and what\n\
 CMake and pkg-config need to find them."
-    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev, zlib1g-dev, libpng-dev, \
-nlohmann-json3-dev (>= 3.11)")
+    "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev")
 annulus_package(tool annulus science "Delaunay triangulations of moving points, command-line tool"
     "This package has the tool: Lloyd iterations, optimisation of tetrahedral\n\
 meshes, recorded motions, statistics of degeneracy, exact audits." "")

@@ -6,8 +6,8 @@
 // PLOTS.json is a list of {"file", "title", "x": {"label", "log", "lower", "upper"}, "y": likewise, "series":
 // [{"name", "x", "y", "steps", "error"}]}; everything but labels and numbers may be absent. Without arguments, a plot
 // of square roots is written to roots.svg.
-#include <annulus/report/report_style.h>
-#include <annulus/report/svg_plot.h>
+#include <apps/report/report_style.h>
+#include <apps/report/svg_plot.h>
 
 #include <nlohmann/json.hpp>
 

@@ -9,9 +9,9 @@
 // arguments a small set of clusters. Wide: a width of 1e7 units in the last place of the largest coordinate, or more.
 // docs/degeneracy.md quotes what it prints.
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/motion/generated_motion.h>
+#include <annulus/measure/degeneracy.h>
 #include <annulus/predicate/filtered_3.h>
-#include <annulus/statistics/degeneracy.h>
+#include <apps/motion/generated_motion.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,14 +2,14 @@
 // Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip.
 // The result of a reader satisfies its header's contract; exceptions are an Input_error in one line; allocations are
 // bounded by the bytes of the file.
-#include <annulus/formats/frame_points.h>
-#include <annulus/formats/read_gray_image.h>
-#include <annulus/formats/read_image.h>
-#include <annulus/formats/read_mesh.h>
-#include <annulus/formats/read_motion.h>
-#include <annulus/formats/read_points.h>
-#include <annulus/formats/read_surface.h>
-#include <annulus/formats/read_tetrahedra.h>
+#include <apps/formats/frame_points.h>
+#include <apps/formats/read_gray_image.h>
+#include <apps/formats/read_image.h>
+#include <apps/formats/read_mesh.h>
+#include <apps/formats/read_motion.h>
+#include <apps/formats/read_points.h>
+#include <apps/formats/read_surface.h>
+#include <apps/formats/read_tetrahedra.h>
 
 #include <unistd.h>
 #include <zlib.h>

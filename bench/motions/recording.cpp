@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording.h"
 
-#include <annulus/formats/frame_points.h>
+#include <apps/formats/frame_points.h>
 
 #include <numeric>
 

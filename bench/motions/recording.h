@@ -3,7 +3,7 @@
 
 #include "motion.h"
 
-#include <annulus/motion/recorded_motion.h>
+#include <apps/motion/recorded_motion.h>
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "race.h"
 #include "recording.h"
 
-#include <annulus/formats/read_motion.h>
+#include <apps/formats/read_motion.h>
 
 #include <CLI/CLI.hpp>
 

@@ -4,12 +4,12 @@
 #include "motion.h"
 #include "stopwatch.h"
 
-#include <annulus/cli/lloyd_scene.h>
-#include <annulus/cli/mesh_3.h>
-#include <annulus/cli/nodt_scene.h>
-#include <annulus/cli/tracker.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/nodt_3.h>
+#include <apps/cli/lloyd_scene.h>
+#include <apps/cli/mesh_3.h>
+#include <apps/cli/nodt_scene.h>
+#include <apps/cli/tracker.h>
+#include <apps/motion/lloyd_2.h>
+#include <apps/motion/nodt_3.h>
 
 namespace bench {
 

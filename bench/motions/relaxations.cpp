@@ -6,7 +6,7 @@
 #include "relaxation.h"
 #include "result_line.h"
 
-#include <annulus/cli/arguments.h>
+#include <apps/cli/arguments.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward error of the term of src/annulus/statistics/voronoi_terms.h in the plane, for its order of operations.
+# Forward error of the term of src/annulus/measure/voronoi_terms.h in the plane, for its order of operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
 @sub = sub_rel<53>;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward errors of the products of src/annulus/statistics/voronoi_terms.h in space, for its order of operations.
+# Forward errors of the products of src/annulus/measure/voronoi_terms.h in space, for its order of operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
 @add = add_rel<53>;

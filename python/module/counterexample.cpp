@@ -2,7 +2,7 @@
 #include <module/json.h>
 #include <module/parts.h>
 
-#include <annulus/report/counterexample_json.h>
+#include <apps/report/counterexample_json.h>
 
 namespace annulus::python {
 

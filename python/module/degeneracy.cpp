@@ -9,7 +9,7 @@
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/report/degeneracy_report.h>
+#include <apps/report/degeneracy_report.h>
 
 #include <algorithm>
 #include <chrono>

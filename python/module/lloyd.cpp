@@ -4,9 +4,9 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/kernel/read_neighbours.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/sampling_2.h>
 #include <annulus/moving_mesh.h>
+#include <apps/motion/lloyd_2.h>
+#include <apps/motion/sampling_2.h>
 
 #include <pybind11/stl.h>
 

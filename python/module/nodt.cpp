@@ -2,12 +2,13 @@
 #include <module/following.h>
 #include <module/parts.h>
 
-#include <annulus/formats/read_surface.h>
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/initial_mesh_3.h>
-#include <annulus/motion/nodt_3.h>
-#include <annulus/motion/surface_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
+#include <apps/formats/read_surface.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/initial_mesh_3.h>
+#include <apps/motion/nodt_3.h>
+#include <apps/motion/surface_3.h>
 
 #include <pybind11/stl.h>
 

@@ -6,8 +6,8 @@
 #include <annulus/engine/engine.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/kernel/kept_lists.h>
+#include <annulus/measure/voronoi_kept.h>
 #include <annulus/published/strategies.h>
-#include <annulus/statistics/voronoi_kept.h>
 
 #include <cstring>
 #include <mutex>

@@ -109,7 +109,7 @@ class Moving_mesh {
     [[nodiscard]] Measures measure() const;
 
     /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes
-    /// (statistics/voronoi_volumes.h) returns for points() and cells(), and infinity for a single vertex. The results
+    /// (measure/voronoi_volumes.h) returns for points() and cells(), and infinity for a single vertex. The results
     /// are kept from the first call on, about 350 bytes per vertex in 3D (130 in 2D). Later calls compute only the
     /// volumes that are affected by moves and changes of cells since then, and compare one position per vertex.
     /// Throws bad_input if tolerances that are not certified have left a cell that is not positive, environment, and

@@ -14,7 +14,7 @@ step("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${SCRATCH}/build" -G "${GENERATOR}"
      "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
      -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 step("${CMAKE_COMMAND}" --build "${SCRATCH}/build" --config "${CONFIG}")
-foreach(name IN ITEMS consumer mesh-consumer toolkit-consumer)
+foreach(name IN ITEMS consumer mesh-consumer measure-consumer)
     unset(CONSUMER CACHE)
     find_program(CONSUMER ${name} PATHS "${SCRATCH}/build" "${SCRATCH}/build/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
     step("${CONSUMER}")

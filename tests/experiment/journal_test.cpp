@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
-#include <annulus/experiment/journal.h>
+#include <apps/experiment/journal.h>
 
 #include <formats/temporary_directory.h>
 

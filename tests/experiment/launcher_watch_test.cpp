@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/experiment/launcher_watch.h>
+#include <apps/experiment/launcher_watch.h>
 
 #include <support/catch.h>
 

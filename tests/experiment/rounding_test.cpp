@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
-#include <annulus/experiment/rounding.h>
+#include <apps/experiment/rounding.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/experiment/schedule.h>
+#include <apps/experiment/schedule.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/experiment/sums.h>
-#include <annulus/experiment/tally.h>
+#include <apps/experiment/sums.h>
+#include <apps/experiment/tally.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/formats/input_error.h>
+#include <apps/formats/input_error.h>
 
 #include <support/catch.h>
 

@@ -2,8 +2,8 @@
 #include "expect_fault.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/motion_reader.h>
-#include <annulus/formats/read_points.h>
+#include <apps/formats/motion_reader.h>
+#include <apps/formats/read_points.h>
 
 #include <support/catch.h>
 

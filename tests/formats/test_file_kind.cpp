@@ -3,15 +3,15 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/file_bytes.h>
-#include <annulus/formats/motion_reader.h>
-#include <annulus/formats/read_gray_image.h>
-#include <annulus/formats/read_image.h>
-#include <annulus/formats/read_mesh.h>
-#include <annulus/formats/read_points.h>
-#include <annulus/formats/read_surface.h>
-#include <annulus/formats/read_tetrahedra.h>
-#include <annulus/formats/text_input.h>
+#include <apps/formats/file_bytes.h>
+#include <apps/formats/motion_reader.h>
+#include <apps/formats/read_gray_image.h>
+#include <apps/formats/read_image.h>
+#include <apps/formats/read_mesh.h>
+#include <apps/formats/read_points.h>
+#include <apps/formats/read_surface.h>
+#include <apps/formats/read_tetrahedra.h>
+#include <apps/formats/text_input.h>
 
 #include <support/catch.h>
 

@@ -3,11 +3,11 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/frame_points.h>
-#include <annulus/formats/read_motion.h>
-#include <annulus/formats/read_points.h>
-#include <annulus/formats/write_frames.h>
-#include <annulus/motion/generated_motion.h>
+#include <apps/formats/frame_points.h>
+#include <apps/formats/read_motion.h>
+#include <apps/formats/read_points.h>
+#include <apps/formats/write_frames.h>
+#include <apps/motion/generated_motion.h>
 
 #include <support/catch.h>
 

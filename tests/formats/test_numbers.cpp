@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "temporary_directory.h"
 
-#include <annulus/formats/decimal.h>
-#include <annulus/formats/read_mesh.h>
-#include <annulus/formats/read_points.h>
-#include <annulus/formats/text_input.h>
-#include <annulus/formats/write_mesh.h>
+#include <apps/formats/decimal.h>
+#include <apps/formats/read_mesh.h>
+#include <apps/formats/read_points.h>
+#include <apps/formats/text_input.h>
+#include <apps/formats/write_mesh.h>
 
 #include <support/catch.h>
 #include <support/properties.h>

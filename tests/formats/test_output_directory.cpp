@@ -2,8 +2,8 @@
 #include "temporary_directory.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/output_directory.h>
-#include <annulus/formats/text_output.h>
+#include <apps/formats/output_directory.h>
+#include <apps/formats/text_output.h>
 
 #include <sys/resource.h>
 #include <sys/stat.h>

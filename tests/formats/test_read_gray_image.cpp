@@ -3,7 +3,7 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/read_gray_image.h>
+#include <apps/formats/read_gray_image.h>
 
 #include <support/catch.h>
 

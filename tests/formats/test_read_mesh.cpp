@@ -2,8 +2,8 @@
 #include "expect_fault.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/read_mesh.h>
-#include <annulus/formats/write_mesh.h>
+#include <apps/formats/read_mesh.h>
+#include <apps/formats/write_mesh.h>
 
 #include <support/catch.h>
 

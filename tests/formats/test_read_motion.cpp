@@ -3,9 +3,9 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/frame_points.h>
-#include <annulus/formats/read_motion.h>
-#include <annulus/formats/read_points.h>
+#include <apps/formats/frame_points.h>
+#include <apps/formats/read_motion.h>
+#include <apps/formats/read_points.h>
 
 #include <support/catch.h>
 

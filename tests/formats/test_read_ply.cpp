@@ -2,7 +2,7 @@
 #include "expect_fault.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/read_points.h>
+#include <apps/formats/read_points.h>
 
 #include <support/catch.h>
 

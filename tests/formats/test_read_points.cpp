@@ -3,7 +3,7 @@
 #include "gzip.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/read_points.h>
+#include <apps/formats/read_points.h>
 
 #include <support/catch.h>
 

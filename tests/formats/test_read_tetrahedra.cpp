@@ -2,8 +2,8 @@
 #include "expect_fault.h"
 #include "temporary_directory.h"
 
-#include <annulus/formats/read_tetrahedra.h>
-#include <annulus/motion/surface_3.h>
+#include <apps/formats/read_tetrahedra.h>
+#include <apps/motion/surface_3.h>
 
 #include <support/catch.h>
 

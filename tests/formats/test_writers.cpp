@@ -3,12 +3,12 @@
 #include "well_formed.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/text_output.h>
-#include <annulus/formats/write_csv.h>
-#include <annulus/formats/write_json.h>
-#include <annulus/formats/write_pvd.h>
-#include <annulus/formats/write_vtu.h>
-#include <annulus/report/summary.h>
+#include <apps/formats/text_output.h>
+#include <apps/formats/write_csv.h>
+#include <apps/formats/write_json.h>
+#include <apps/formats/write_pvd.h>
+#include <apps/formats/write_vtu.h>
+#include <apps/report/summary.h>
 
 #include <zlib.h>
 

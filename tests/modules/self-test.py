@@ -20,12 +20,12 @@ CLEAN = {
     "src/annulus/predicate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
     "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/predicate/bounds.h>\n",
     "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
-    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/report/report.h>\n",
-    "src/annulus/cli/x.h": HEADER,
-    "src/annulus/report/report.h": HEADER + STANDARD
-    + "/*\n#include <annulus/cli/never.h>\n*/\n// #include <annulus/cli/never.h>\n",
+    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/cgal/flips.h>\n",
+    "src/apps/cli/x.h": HEADER,
+    "src/apps/report/report.h": HEADER + "#include <nlohmann/json.hpp>\n#include <annulus/predicate/bounds.h>\n"
+    + "/*\n#include <apps/cli/never.h>\n*/\n// #include <apps/cli/never.h>\n",
     "src/annulus/c/mesh.cpp": SPDX + "#include <annulus/moving.h>\n",
-    "src/annulus/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <annulus/report/report.h>\n",
+    "src/apps/cli/main.cpp": SPDX + "#include <annulus/moving.h>\n#include <apps/report/report.h>\n",
     "tests/exact_test.cpp": SPDX + '#include "common.h"\n#include <CGAL/Object.h>\n',
 }
 
@@ -52,31 +52,45 @@ class CheckRooms(unittest.TestCase):
 
     def test_room_below(self):
         self.rejects("src/annulus/arithmetic/up.h", HEADER + "\n#include <annulus/predicate/bounds.h>\n", 4)
-        self.rejects("src/annulus/formats/deep/er.cpp", SPDX + "  #  include <annulus/cli/x.h>\n", 2)
+        self.rejects("src/apps/formats/deep/er.cpp", SPDX + "  #  include <apps/cli/x.h>\n", 2)
 
     def test_line_after_a_block_comment(self):
-        self.rejects("src/annulus/formats/x.h", HEADER + "/* one\ntwo */\n#include <annulus/cli/x.h>\n", 5)
+        self.rejects("src/apps/formats/x.h", HEADER + "/* one\ntwo */\n#include <apps/cli/x.h>\n", 5)
 
     def test_public_header_from_a_room(self):
-        self.rejects("src/annulus/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
+        self.rejects("src/apps/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
 
     def test_clients_from_a_public_header_and_from_one_another(self):
-        self.rejects("src/annulus/other.h", HEADER + "#include <annulus/cli/x.h>\n", 3)
         self.rejects("src/annulus/other.h", HEADER + "#include <annulus/c/x.h>\n", 3)
-        self.rejects("src/annulus/cli/x.cpp", SPDX + "#include <annulus/c/x.h>\n", 2)
-        self.rejects("src/annulus/c/x.cpp", SPDX + "#include <annulus/cli/x.h>\n", 2)
+        self.rejects("src/apps/cli/x.cpp", SPDX + "#include <annulus/c/x.h>\n", 2)
+        self.rejects("src/annulus/c/x.cpp", SPDX + "#include <apps/cli/x.h>\n", 2)
+
+    def test_library_without_programs(self):
+        self.rejects("src/annulus/other.h", HEADER + STANDARD + "#include <apps/report/report.h>\n", 4)
+        self.rejects("src/annulus/other.h", HEADER + STANDARD + "#include <apps/cli/x.h>\n", 4)
+        self.rejects("src/annulus/measure/x.cpp", SPDX + "#include <apps/motion/x.h>\n", 2)
+        self.rejects("src/annulus/measure/x.cpp", SPDX + "#include <nlohmann/json.hpp>\n", 2)
+        self.rejects("src/annulus/x.cpp", SPDX + "#include <png.h>\n", 2)
+        self.rejects("src/annulus/c/x.cpp", SPDX + "#include <zlib.h>\n", 2)
 
     def test_quoted_include(self):
         self.rejects("src/annulus/predicate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)
 
     def test_cgal_where_it_may_not_be(self):
-        for module in ("arithmetic", "space", "predicate", "mesh", "engine", "statistics", "formats", "report", "c",
-                     "cli"):
-            self.rejects(f"src/annulus/{module}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
+        for module in ("annulus/arithmetic", "annulus/space", "annulus/predicate", "annulus/mesh", "annulus/engine",
+                       "annulus/measure", "annulus/c", "apps/formats", "apps/report", "apps/cli"):
+            self.rejects(f"src/{module}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
     def test_unknown_room(self):
         self.rejects("src/annulus/attic/x.cpp", SPDX, 1)
-        self.rejects("src/annulus/formats/x.cpp", SPDX + "#include <annulus/attic/x.h>\n", 2)
+        self.rejects("src/annulus/motion/x.cpp", SPDX, 1)  # in the other part
+        self.rejects("src/apps/measure/x.cpp", SPDX, 1)
+        self.rejects("src/apps/x.cpp", SPDX, 1)
+        self.rejects("src/attic/x.cpp", SPDX, 1)
+        self.rejects("src/apps/formats/x.cpp", SPDX + "#include <annulus/attic/x.h>\n", 2)
+        self.rejects("src/apps/formats/x.cpp", SPDX + "#include <annulus/motion/x.h>\n", 2)
+        self.rejects("src/apps/formats/x.cpp", SPDX + "#include <apps/mesh/x.h>\n", 2)
+        self.rejects("src/apps/formats/x.cpp", SPDX + "#include <apps/x.h>\n", 2)
 
     def test_catch_by_another_way(self):
         self.rejects("tests/exact_test.cpp", SPDX + "#include <vector>\n#include <catch2/catch.hpp>\n", 3)
@@ -128,21 +142,22 @@ class CheckRooms(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_an_older_standard_would_not_be_told(self):
-        self.rejects("src/annulus/formats/x.h", HEADER + "#include <span>\n", 1)
-        self.rejects("src/annulus/formats/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
+        self.rejects("src/annulus/measure/x.h", HEADER + "#include <span>\n", 1)
+        self.rejects("src/annulus/measure/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
         self.rejects("src/annulus/other.h", HEADER, 1)
+        self.assertEqual(self.check({"src/apps/formats/x.h": HEADER + "#include <span>\n"}).returncode, 0)
 
     def test_pragma_once_and_licence(self):
-        self.rejects("src/annulus/formats/x.h", SPDX + STANDARD, 1)
-        self.rejects("src/annulus/formats/x.h", SPDX + "// #pragma once\n" + STANDARD, 1)
-        self.rejects("src/annulus/formats/x.h", "#pragma once\n" + STANDARD, 1)
+        self.rejects("src/apps/formats/x.h", SPDX + STANDARD, 1)
+        self.rejects("src/apps/formats/x.h", SPDX + "// #pragma once\n" + STANDARD, 1)
+        self.rejects("src/apps/formats/x.h", "#pragma once\n" + STANDARD, 1)
         self.rejects("tests/x.cpp", "int x;\n", 1)
         self.rejects("tests/x.c", "int x;\n", 1)
 
     def test_long_file_is_a_warning(self):
-        result = self.check({"src/annulus/formats/long.cpp": SPDX + "\n" * 400})
+        result = self.check({"src/apps/formats/long.cpp": SPDX + "\n" * 400})
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertIn("src/annulus/formats/long.cpp:401: warning: 401 lines", result.stdout)
+        self.assertIn("src/apps/formats/long.cpp:401: warning: 401 lines", result.stdout)
 
 
 if __name__ == "__main__":

@@ -2,10 +2,10 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/cells_3.h>
-#include <annulus/motion/dihedral.h>
 #include <annulus/moving_delaunay_3.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/cells_3.h>
+#include <apps/motion/dihedral.h>
 
 #include <support/catch.h>
 

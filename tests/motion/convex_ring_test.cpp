@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/motion/convex_ring_2.h>
-#include <annulus/motion/domain_2.h>
-#include <annulus/motion/moments_2.h>
+#include <apps/motion/convex_ring_2.h>
+#include <apps/motion/domain_2.h>
+#include <apps/motion/moments_2.h>
 
 #include <support/catch.h>
 

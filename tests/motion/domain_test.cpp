@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/domain_2.h>
-#include <annulus/motion/moments_2.h>
-#include <annulus/motion/sampling_2.h>
+#include <apps/motion/domain_2.h>
+#include <apps/motion/moments_2.h>
+#include <apps/motion/sampling_2.h>
 
 #include <support/catch.h>
 #include <support/properties.h>

@@ -2,7 +2,7 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/curve_motion.h>
+#include <apps/motion/curve_motion.h>
 
 #include <support/catch.h>
 

@@ -3,12 +3,12 @@
 #include "oracle.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/domain_2.h>
-#include <annulus/motion/image_density.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/moments_2.h>
-#include <annulus/motion/sampling_2.h>
-#include <annulus/motion/stippling.h>
+#include <apps/motion/domain_2.h>
+#include <apps/motion/image_density.h>
+#include <apps/motion/lloyd_2.h>
+#include <apps/motion/moments_2.h>
+#include <apps/motion/sampling_2.h>
+#include <apps/motion/stippling.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -2,11 +2,11 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/cells_3.h>
-#include <annulus/motion/initial_mesh_3.h>
-#include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_3.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/cells_3.h>
+#include <apps/motion/initial_mesh_3.h>
+#include <apps/motion/surface_3.h>
 
 #include <support/catch.h>
 

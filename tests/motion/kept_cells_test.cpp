@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes.h"
 
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/kept_cells_3.h>
-#include <annulus/motion/nodt_3.h>
-#include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_3.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/kept_cells_3.h>
+#include <apps/motion/nodt_3.h>
+#include <apps/motion/surface_3.h>
 
 #include <support/catch.h>
 

@@ -2,7 +2,7 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/labelled_image.h>
+#include <apps/motion/labelled_image.h>
 
 #include <support/catch.h>
 

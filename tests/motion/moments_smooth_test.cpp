@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle.h"
 
-#include <annulus/motion/gauss_legendre.h>
-#include <annulus/motion/moments_2.h>
+#include <apps/motion/gauss_legendre.h>
+#include <apps/motion/moments_2.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

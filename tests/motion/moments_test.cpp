@@ -2,8 +2,8 @@
 #include "oracle.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/density_2.h>
-#include <annulus/motion/moments_2.h>
+#include <apps/motion/density_2.h>
+#include <apps/motion/moments_2.h>
 
 #include <support/catch.h>
 #include <support/repeats.h>

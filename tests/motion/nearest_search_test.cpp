@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nearest_search, which keeps a list, on a tree without CGAL whose triangles are points.
-#include <annulus/motion/nearest_search.h>
+#include <apps/motion/nearest_search.h>
 
 #include <support/cases.h>
 #include <support/catch.h>

@@ -2,13 +2,13 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/dihedral.h>
-#include <annulus/motion/initial_mesh_3.h>
-#include <annulus/motion/nodt_3.h>
-#include <annulus/motion/surface_3.h>
-#include <annulus/motion/surface_stars.h>
 #include <annulus/moving_delaunay_3.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/dihedral.h>
+#include <apps/motion/initial_mesh_3.h>
+#include <apps/motion/nodt_3.h>
+#include <apps/motion/surface_3.h>
+#include <apps/motion/surface_stars.h>
 
 #include <support/catch.h>
 

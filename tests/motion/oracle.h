@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/motion/density_2.h>
-#include <annulus/motion/moments_2.h>
+#include <apps/motion/density_2.h>
+#include <apps/motion/moments_2.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/read_neighbours.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/nodt_3.h>
-#include <annulus/motion/surface_3.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <apps/motion/lloyd_2.h>
+#include <apps/motion/nodt_3.h>
+#include <apps/motion/surface_3.h>
 
 #include <motion/shapes.h>
 #include <support/at_once.h>

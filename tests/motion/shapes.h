@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/motion/triangle_surface.h>
+#include <apps/motion/triangle_surface.h>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/coordinates.h>
-#include <annulus/motion/domain_2.h>
+#include <apps/motion/domain_2.h>
 
 #include <vector>
 

@@ -2,11 +2,11 @@
 #include "neighbours_of.h"
 
 #include <annulus/kernel/read_neighbours.h>
-#include <annulus/motion/domain_2.h>
-#include <annulus/motion/lloyd_2.h>
-#include <annulus/motion/sampling_2.h>
-#include <annulus/motion/stars_2.h>
 #include <annulus/moving_delaunay_2.h>
+#include <apps/motion/domain_2.h>
+#include <apps/motion/lloyd_2.h>
+#include <apps/motion/sampling_2.h>
+#include <apps/motion/stars_2.h>
 
 #include <support/catch.h>
 

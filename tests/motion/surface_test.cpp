@@ -2,9 +2,9 @@
 #include "shapes.h"
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/motion/ball_3.h>
-#include <annulus/motion/surface_3.h>
-#include <annulus/motion/surface_faults.h>
+#include <apps/motion/ball_3.h>
+#include <apps/motion/surface_3.h>
+#include <apps/motion/surface_faults.h>
 
 #include <support/catch.h>
 

@@ -2,9 +2,9 @@
 #include "neighbours_of.h"
 #include "some_domain.h"
 
-#include <annulus/motion/moments_2.h>
-#include <annulus/motion/sampling_2.h>
-#include <annulus/motion/voronoi_cell_2.h>
+#include <apps/motion/moments_2.h>
+#include <apps/motion/sampling_2.h>
+#include <apps/motion/voronoi_cell_2.h>
 
 #include <support/catch.h>
 #include <support/properties.h>

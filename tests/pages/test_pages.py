@@ -114,7 +114,7 @@ class Pages(unittest.TestCase):
 
     def test_every_kind_of_page_is_here(self):
         """Every page in the tool's sources is written by some kind."""
-        sources = "".join(p.read_text() for p in ROOT.glob("src/annulus/cli/*.cpp"))
+        sources = "".join(p.read_text() for p in ROOT.glob("src/apps/cli/*.cpp"))
         for name in set(itertools.chain(*(line.split('"')[1::2] for line in sources.splitlines()
                                           if "out.write(" in line))):
             if name.endswith(".html"):

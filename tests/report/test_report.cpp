@@ -3,10 +3,10 @@
 #include <formats/well_formed.h>
 
 #include <annulus/arithmetic/error.h>
-#include <annulus/formats/markup.h>
-#include <annulus/report/axis_ticks.h>
-#include <annulus/report/report.h>
-#include <annulus/report/summary.h>
+#include <apps/formats/markup.h>
+#include <apps/report/axis_ticks.h>
+#include <apps/report/report.h>
+#include <apps/report/summary.h>
 
 #include <support/catch.h>
 #include <support/properties.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that the paper's algorithm accepts although the triangulation is no longer Delaunay.
+#include <annulus/measure/counterexample.h>
 #include <annulus/mesh/audit.h>
 #include <annulus/predicate/filtered.h>
-#include <annulus/reproduction/certificate_attack.h>
-#include <annulus/statistics/counterexample.h>
+#include <apps/reproduction/certificate_attack.h>
 
 #include <support/catch.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims, pages and parts of the reproduction, from artificial records.
 #include <annulus/arithmetic/error.h>
-#include <annulus/reproduction/checkpoints.h>
-#include <annulus/reproduction/claims.h>
-#include <annulus/reproduction/figures.h>
-#include <annulus/reproduction/plan.h>
-#include <annulus/reproduction/race_statistics.h>
+#include <apps/reproduction/checkpoints.h>
+#include <apps/reproduction/claims.h>
+#include <apps/reproduction/figures.h>
+#include <apps/reproduction/plan.h>
+#include <apps/reproduction/race_statistics.h>
 
 #include <support/catch.h>
 

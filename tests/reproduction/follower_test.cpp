@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parts of a benchmark: followers and which vertices fail, costs of CGAL, rounding, points that move.
 #include <annulus/engine/displacement.h>
-#include <annulus/reproduction/cgal_costs.h>
-#include <annulus/reproduction/contender.h>
-#include <annulus/reproduction/partial_motion.h>
-#include <annulus/reproduction/stability.h>
+#include <apps/reproduction/cgal_costs.h>
+#include <apps/reproduction/contender.h>
+#include <apps/reproduction/partial_motion.h>
+#include <apps/reproduction/stability.h>
 
 #include <support/catch.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
-#include <annulus/reproduction/records.h>
+#include <apps/reproduction/records.h>
 
 #include <support/catch.h>
 

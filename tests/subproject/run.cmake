@@ -58,7 +58,7 @@ foreach(flag IN ITEMS -ffast-math -ffinite-math-only -fassociative-math\ -fno-si
     header(${environment} "-std=c++20 ${flag}" 1 "compile (it )?without")
 endforeach()
 foreach(name IN ITEMS ${environment} arithmetic/error.h arithmetic/stage.h moving_mesh.h moving_delaunay_2.h
-        moving_delaunay_3.h motion/lloyd_2.h statistics/voronoi_volumes.h formats/read_points.h report/table.h)
+        moving_delaunay_3.h measure/voronoi_volumes.h)
     header(${name} "-std=c++17" 1 "-std=c[+][+]20")
 endforeach()
 
@@ -90,7 +90,7 @@ foreach(k RANGE ${last})
     if(NOT command MATCHES " -fPIC")
         message(SEND_ERROR "${file}: not position-independent")
     endif()
-    if(file MATCHES "/(formats|report|cli)/")
+    if(file MATCHES "/apps/")
         message(SEND_ERROR "${file}: more than the core")
     elseif(file MATCHES "/engine/")
         math(EXPR engine "${engine} + 1")

@@ -51,7 +51,7 @@ inline constexpr double cached_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in
 inline constexpr double cached_sphere_3_square = 241.0;
 inline constexpr double cached_sphere_3_linear = 811.0;
 
-/// statistics/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g,
+/// measure/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g,
 /// voronoi_terms_3.g.
 inline constexpr double voronoi_2 = 9.0;         ///< degree 1 in the edge, 1 in the dual edge
 inline constexpr double voronoi_3_edge = 41.0;   ///< 1 in the edge, 1 in the circumcentre, 1 in the dual edge

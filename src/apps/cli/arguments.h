@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/options.h>
+#include <apps/formats/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// Exit status of the tool. `our_fault` is also that of failures of the machine: memory, disk.
+enum Exit : int { done = 0, audit_failed = 1, wrong_usage = 2, bad_input = 3, our_fault = 4 };
+
+/// The arguments that every subcommand accepts.
+struct Common_arguments {
+    std::string output;
+    bool force = false;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    bool quiet = false;
+
+    /// Prints on standard error that `count` duplicate points of the file were merged, if there were any.
+    void say_merged(const std::string& file, std::uint64_t count) const;
+    /// Prints notes on standard error, one per line: what the file contains that is ignored.
+    void say_notes(const std::vector<std::string>& notes) const;
+};
+
+/// The arguments that every subcommand that runs a motion accepts.
+struct Tracking_arguments {
+    std::string strategy = "auto";
+    std::string tolerance = "certified";
+    std::uint64_t audit = 100;
+};
+
+/// Plain decimal digits, from least to most. CLI11 itself would read 010 as 8, and a number that is too large as the
+/// largest one.
+[[nodiscard]] CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+/// A number from least to most. CLI::Range itself would accept NaN.
+[[nodiscard]] CLI::Validator number_within(double least, double most);
+
+/// `files` are the files that --output writes. If nothing is random or parallel, --seed and --threads are accepted and
+/// have no effect, so that a script may pass the same options to every subcommand. Common_words are the descriptions of
+/// these two options in --help.
+struct Common_words {
+    std::string seed = "Seed of everything random";
+    std::string threads = "Threads for motion and triangulation; results do not depend on them";
+};
+inline const std::string no_seed = "Accepted by all subcommands; nothing is random here";
+inline const std::string no_threads = "Accepted by all subcommands; one thread is used here";
+void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, const Common_words& words = {});
+/// --format: the format of a file, whatever its extension says.
+void add_format(CLI::App& app, std::string& format, std::span<const Format> formats);
+void add_tracking(CLI::App& app, Tracking_arguments& arguments);
+
+/// Options of the library from those of the command line. Throws Error(usage).
+[[nodiscard]] Options options_of(const Tracking_arguments& tracking, const Common_arguments& common);
+
+/// The command line, quoted where a shell needs it, for the files of the run.
+[[nodiscard]] std::string command_line(const std::vector<std::string>& words);
+
+}  // namespace annulus::cli

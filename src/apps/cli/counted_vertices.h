@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/formats/input_error.h>
+
+#include <cstdint>
+#include <string>
+
+namespace annulus::cli {
+
+/// "1 vertex", "2 vertices": the plural that `counted` does not make.
+[[nodiscard]] inline std::string counted_vertices(std::uint64_t count) {
+    return count == 1 ? counted(count, "vertex") : std::to_string(count) + " vertices";
+}
+
+}  // namespace annulus::cli

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/frame_files.h>
+
+#include <annulus/arithmetic/error.h>
+#include <annulus/measure/voronoi_volumes.h>
+#include <apps/formats/decimal.h>
+#include <apps/formats/write_vtu.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace annulus::cli {
+
+namespace {
+
+template <int d>
+constexpr const char* volume_name = d == 2 ? "area" : "volume";
+
+/// frame-000012.vtu
+std::string file_of(std::size_t step) {
+    const std::string digits = std::to_string(step);
+    return "frame-" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".vtu";
+}
+
+/// Statistics of the bounded cells.
+Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::vector<Index>& neighbours,
+                                 const std::vector<std::size_t>& vertices) {
+    Frame_record::Voronoi out;
+    std::vector<double> bounded;
+    double sum = 0, hexagons = 0;
+    for (const std::size_t i : vertices) {
+        if (!std::isfinite(volume[i])) continue;
+        bounded.push_back(volume[i]);
+        sum += neighbours[i];
+        hexagons += neighbours[i] == 6 ? 1 : 0;
+    }
+    out.bounded = bounded.size();
+    out.unbounded = vertices.size() - bounded.size();
+    if (bounded.empty()) return out;
+    const auto n = static_cast<double>(bounded.size());
+    const auto quantile = [&](double share) {
+        const auto at = bounded.begin() + static_cast<std::ptrdiff_t>(share * (n - 1));
+        std::nth_element(bounded.begin(), at, bounded.end());
+        return *at;
+    };
+    out.volume_low = quantile(0.05);
+    out.volume_median = quantile(0.5);
+    out.volume_high = quantile(0.95);
+    out.neighbours_mean = sum / n;
+    out.hexagons = hexagons / n;
+    return out;
+}
+
+}  // namespace
+
+void add_frames(CLI::App& app, Frame_arguments& a) {
+    app.add_option("--every", a.every,
+                   "Write every N-th frame for ParaView, from the first: frames.pvd and frame-*.vtu")
+        ->type_name("N")
+        ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()));
+    app.add_flag("--voronoi", a.voronoi,
+                 "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
+    app.add_flag("--changes", a.changes,
+                 "Write changes.csv: which points became neighbours, or no longer are, and when");
+}
+
+void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options) {
+    if (!frames.any()) return;
+    if (common.output.empty())
+        throw Error(Error_code::usage, "--every, --voronoi and --changes write files: say where with --output DIR");
+    if (frames.voronoi && options.tolerance != Tolerance_kind::certified)
+        throw Error(Error_code::usage, "--voronoi needs Delaunay triangulations, that is, --tolerance certified");
+    options.report_changes = frames.changes;
+}
+
+template <class Moving>
+Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arguments& frames,
+                                 Tracker<Moving>& tracker)
+    : frames_(frames), dt_(tracker.triangulation()) {
+    for (std::size_t i = 0; i < dt_.index_bound(); ++i) name(static_cast<Index>(i), i);
+    if (!frames.any()) return;
+    scratch_ = std::make_unique<Result_files>(common);
+    const auto begin = [&](const char* file, const std::string& header) {
+        auto out = std::make_unique<Text_output>(scratch_->path_of(file));
+        out->write(header + "\n");
+        return out;
+    };
+    if (frames.voronoi)
+        voronoi_ = begin("voronoi.csv", std::string("frame,id,") + volume_name<d> + ",neighbours,unbounded");
+    if (frames.changes) changes_ = begin("changes.csv", "frame,first,second,change");
+    tracker.listen([this](const Move_report& report, Index arrived) { hear(report, arrived); });
+}
+
+template <class Moving>
+bool Frame_files<Moving>::is_present(std::size_t i) const {
+    return dt_.is_vertex(static_cast<Index>(i));
+}
+
+template <class Moving>
+void Frame_files<Moving>::name(Index v, std::uint64_t id) {
+    const auto at = static_cast<std::size_t>(v);
+    if (at >= id_.size()) id_.resize(at + 1);
+    id_[at] = id;
+    if (frames_.changes) pairs_.name(v, id);
+}
+
+template <class Moving>
+void Frame_files<Moving>::hear(const Move_report& report, Index arrived) {
+    if (arrived != none && !arriving_.empty()) {
+        name(arrived, arriving_.front());
+        arriving_.pop_front();
+    }
+    if (frames_.changes) pairs_.note(report.changed, report.gone);
+}
+
+template <class Moving>
+void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record) {
+    volume_ = voronoi_volumes<d>(dt_.points(), cells);
+    neighbours_ = voronoi_neighbour_counts<d>(dt_.index_bound(), cells);
+    std::vector<std::size_t> vertices;
+    for (std::size_t i = 0; i < dt_.index_bound(); ++i)
+        if (is_present(i)) vertices.push_back(i);
+    std::sort(vertices.begin(), vertices.end(), [this](std::size_t a, std::size_t b) { return id_[a] < id_[b]; });
+    const std::string frame = std::to_string(number) + ",";
+    std::string text;
+    for (const std::size_t i : vertices) {
+        text += frame;
+        append_decimal(text, id_[i]);
+        text += ',';
+        if (std::isfinite(volume_[i])) append_decimal(text, volume_[i]);
+        text += ',';
+        append_decimal(text, neighbours_[i]);
+        text += std::isfinite(volume_[i]) ? ",0\n" : ",1\n";
+    }
+    voronoi_->write(text);
+    record.voronoi = summary_of(volume_, neighbours_, vertices);
+}
+
+template <class Moving>
+void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& record) {
+    Frame_record::Neighbour_pairs pairs;
+    const std::string frame = std::to_string(number) + ",";
+    std::string text;
+    for (const Neighbour_change& c : pairs_.take()) {
+        ++(c.made ? pairs.made : pairs.broken);
+        text += frame;
+        append_decimal(text, c.first);
+        text += ',';
+        append_decimal(text, c.second);
+        text += c.made ? ",made\n" : ",broken\n";
+    }
+    changes_->write(text);
+    if (!records_.empty()) record.pairs = pairs;  // not for the first frame: there is no frame before it
+}
+
+template <class Moving>
+void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& cells) {
+    std::vector<Index> place(dt_.index_bound(), none);
+    std::vector<Coordinates<d>> points;
+    std::vector<std::uint64_t> ids;
+    std::vector<std::int64_t> neighbours;
+    std::vector<double> volume;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        if (!is_present(i)) continue;
+        place[i] = static_cast<Index>(points.size());
+        points.push_back(dt_.points()[i]);
+        ids.push_back(id_[i]);
+        if (!frames_.voronoi) continue;
+        volume.push_back(volume_[i]);
+        neighbours.push_back(neighbours_[i]);
+    }
+    std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> solid;
+    for (auto cell : cells.vertices) {
+        if (cell[d] == none) continue;  // the cell of a flat set
+        for (Index& v : cell) v = place[static_cast<std::size_t>(v)];
+        solid.push_back(cell);
+    }
+    std::vector<Vtu_field> fields{{"id", std::move(ids)}};
+    if (frames_.voronoi) {
+        fields.push_back({std::string("voronoi_") + volume_name<d>, std::move(volume)});
+        fields.push_back({"neighbours", std::move(neighbours)});
+    }
+    series_.push_back({file_of(records_.size()), number});
+    scratch_->write(series_.back().file, annulus::write_vtu<d>(points, solid, fields));
+}
+
+template <class Moving>
+void Frame_files<Moving>::frame(std::uint64_t number) {
+    Frame_record record{number, dt_.number_of_vertices()};
+    const bool pictured = frames_.every > 0 && records_.size() % frames_.every == 0;
+    Mesh_cells<d> cells;
+    if (pictured || frames_.voronoi) cells = dt_.cells();
+    if (frames_.voronoi) write_voronoi(number, cells, record);
+    if (frames_.changes) write_changes(number, record);
+    if (pictured) write_vtu(number, cells);
+    records_.push_back(record);
+}
+
+template <class Moving>
+void Frame_files<Moving>::write(Result_files& out) {
+    if (!scratch_) return;
+    if (voronoi_) voronoi_->commit();
+    if (changes_) changes_->commit();
+    if (frames_.every > 0) scratch_->write("frames.pvd", write_pvd(series_));
+    out.take(*scratch_);
+}
+
+template class Frame_files<Moving_mesh_2>;
+template class Frame_files<Moving_mesh_3>;
+
+}  // namespace annulus::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/measure/neighbour_changes.h>
+#include <apps/cli/arguments.h>
+#include <apps/cli/result_files.h>
+#include <apps/cli/tracker.h>
+#include <apps/formats/text_output.h>
+#include <apps/formats/write_pvd.h>
+#include <apps/report/frame_record.h>
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// Which data of the frames of a run are written.
+struct Frame_arguments {
+    std::uint64_t every = 0;  ///< 0: no frames
+    bool voronoi = false;
+    bool changes = false;
+
+    [[nodiscard]] bool any() const { return every > 0 || voronoi || changes; }
+};
+
+void add_frames(CLI::App& app, Frame_arguments& arguments);
+/// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
+void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
+
+/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv. They are written
+/// during the run, next to the directory of --output, and moved there at its end. Memory does not depend on the number
+/// of frames, except for the data of the curves on the page.
+template <class Moving>
+class Frame_files {
+  public:
+    static constexpr int d = Moving::dimension_of_space;
+
+    /// Becomes the listener of the tracker. This object must exist as long as the tracker makes steps. The id of a
+    /// vertex is its index until `name` sets another.
+    Frame_files(const Common_arguments& common, const Frame_arguments& frames, Tracker<Moving>& tracker);
+    Frame_files(const Frame_files&) = delete;
+    Frame_files& operator=(const Frame_files&) = delete;
+
+    void name(Index v, std::uint64_t id);
+    /// The ids of the points that the next step inserts, in the order of insertion.
+    void arriving(const std::vector<std::uint64_t>& ids) { arriving_.assign(ids.begin(), ids.end()); }
+    /// To be called for each complete frame: before the first step, and after each step.
+    void frame(std::uint64_t number);
+
+    [[nodiscard]] const std::vector<Frame_record>& records() const { return records_; }
+    /// Completes the files and moves them to `out`.
+    void write(Result_files& out);
+
+  private:
+    void hear(const Move_report& report, Index arrived);
+    void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
+    void write_changes(std::uint64_t number, Frame_record& record);
+    void write_vtu(std::uint64_t number, const Mesh_cells<d>& cells);
+    [[nodiscard]] bool is_present(std::size_t i) const;
+
+    Frame_arguments frames_;
+    const Moving& dt_;
+    std::unique_ptr<Result_files> scratch_;
+    std::unique_ptr<Text_output> voronoi_, changes_;
+    std::vector<std::uint64_t> id_;
+    std::deque<std::uint64_t> arriving_;
+    Neighbour_changes<d> pairs_;
+    std::vector<Frame_record> records_;
+    std::vector<Pvd_entry> series_;
+    std::vector<double> volume_;  // of this frame, with --voronoi
+    std::vector<Index> neighbours_;
+};
+
+extern template class Frame_files<Moving_mesh_2>;
+extern template class Frame_files<Moving_mesh_3>;
+
+}  // namespace annulus::cli

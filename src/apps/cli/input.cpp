@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/input.h>
+#include <apps/report/page.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace annulus::cli {
+
+void add_open(CLI::App& app, bool& open) {
+    app.add_flag("--open", open,
+                 "Take the points of a file with a periodic box as they are, with open boundaries;\n"
+                 "without this option such a file is refused");
+}
+
+Input_record input_of(const Motion_reader& reader, int dimension) {
+    Input_record input{reader.columns(), {}, {}, reader.notes()};
+    if (dimension == 2) std::erase_if(input.columns, [](const auto& column) { return column.first == "z"; });
+    if (reader.ignored_box()) input.ignored = {"box"};
+    return input;
+}
+
+void print_input(const Input_record& input, int dimension) {
+    if (input.columns.empty()) return;
+    const std::string why = input.dimension.empty() ? "" : ": " + input.dimension;
+    std::printf("dimension      %d%s\n", dimension, why.c_str());
+    std::printf("columns        %s\n", listed(input.columns).c_str());
+}
+
+}  // namespace annulus::cli

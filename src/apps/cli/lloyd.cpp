@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/commands.h>
+#include <apps/cli/files.h>
+#include <apps/cli/lloyd_scene.h>
+#include <apps/cli/progress.h>
+#include <apps/cli/result_files.h>
+#include <apps/cli/stopwatch.h>
+#include <apps/cli/tracker.h>
+#include <apps/formats/input_error.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Lloyd_call {
+    Common_arguments common;
+    Tracking_arguments tracking;
+    Lloyd_arguments lloyd;
+    Frame_arguments frames;
+};
+
+int run(const Lloyd_call& a, const std::string& command) {
+    const auto begin = Clock::now();
+    Options options = options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
+    const Lloyd_scene scene = make_scene(a.lloyd, a.common.seed);
+    a.common.say_merged(a.lloyd.input, scene.merged);
+    a.common.say_notes(scene.input.warnings);
+    if (!a.common.output.empty()) require_writable(a.common);
+    Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
+                      !a.common.output.empty());
+    Run_page<Moving_mesh_2> page{.step = "Lloyd iteration"};
+    if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), "Before");
+    Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
+    if (a.frames.any()) frames.frame(0);
+
+    const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
+    Stars_2 stars;
+    Lloyd_memory memory;
+    std::vector<Coordinates<2>> target(scene.points.size());
+    std::optional<Interruption_guard> guard;  // with --output, an interrupted run writes its results so far
+    if (!a.common.output.empty()) guard.emplace();
+    {
+        Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
+        for (std::uint64_t i = 1; i <= a.lloyd.iterations && !Interruption_guard::interrupted(); ++i) {
+            const auto start = Clock::now();
+            const Moving_mesh_2& dt = tracker.triangulation();
+            if (tracker.cells_changed()) read_stars(dt, stars);
+            const Lloyd_step step = lloyd.step(stars, dt.points(), target, memory);
+            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            if (a.frames.any()) frames.frame(i);
+            char news[40];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
+            progress.show(i, news);
+        }
+    }
+    tracker.finish(command, a.common.seed, since(begin));
+    tracker.input(scene.input);
+    if (!a.common.output.empty()) {
+        page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
+        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
+        if (scene.stippling)
+            page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
+        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.frames = &frames;
+        write_run(a.common, tracker, std::move(page));
+    }
+    if (tracker.record().interrupted) {
+        say_interrupted(a.common, tracker.record().iterations, a.lloyd.iterations);
+        return done;
+    }
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        if (!a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+}  // namespace
+
+Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in 2D, with the triangulation kept right throughout");
+    const auto a = std::make_shared<Lloyd_call>();
+    add_lloyd(*sub, a->lloyd);
+    add_tracking(*sub, a->tracking);
+    add_frames(*sub, a->frames);
+    add_common(*sub, a->common, run_files);
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

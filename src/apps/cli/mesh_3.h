@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/cli/tracker.h>
+#include <apps/motion/kept_cells_3.h>
+#include <apps/motion/nodt_3.h>
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace annulus::cli {
+
+/// The solid cells of a 3D triangulation, as indices of `points`, and which of them are in the domain. Their order does
+/// not depend on the history of the triangulation, so that a motion computed from them is the same bit for bit.
+class Mesh_3 {
+  public:
+    [[nodiscard]] const std::vector<Coordinates<3>>& points() const {
+        return points_;
+    }  ///< by vertex index; precondition: no vertex was removed
+    [[nodiscard]] const Cells_3& cells() const { return kept_.cells(); }
+    [[nodiscard]] std::span<const char> inside() const { return domain_ ? kept_.inside() : all_; }
+    /// The cells in the form that a motion takes. Precondition: read with a domain.
+    [[nodiscard]] const Kept_cells_3& kept() const { return kept_; }
+
+    /// Reads the cells; every cell is in the domain.
+    void read(const Moving_mesh_3& dt);
+    /// A cell is in the domain if its circumcentre is. The cells are read again only if they have changed.
+    void read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& domain, int threads);
+
+    /// The axis of the shortest side of the bounding box: a cut across it is the widest view of the mesh.
+    [[nodiscard]] std::size_t shortest_side() const;
+    /// The cells of the domain, cut across that side, through the middle of the box.
+    [[nodiscard]] Picture cut(std::string caption) const { return cut(std::move(caption), shortest_side()); }
+    /// The same across a given axis, so that all pictures of a motion show it from the same side.
+    [[nodiscard]] Picture cut(std::string caption, std::size_t axis) const;
+
+  private:
+    std::vector<Coordinates<3>> points_;
+    Kept_cells_3 kept_;
+    std::vector<char> all_;  // flags of all cells if there is no domain
+    bool domain_ = false;
+};
+
+/// The quality of the mesh after a step, for the files; `locked` and `kept` are those of that step.
+[[nodiscard]] Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step);
+
+/// All cells of the triangulation, cut as above.
+[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption);
+
+}  // namespace annulus::cli

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/companion.h>
+#include <apps/cli/files.h>
+#include <apps/cli/mesh_3.h>
+#include <apps/cli/nodt_scene.h>
+#include <apps/cli/progress.h>
+#include <apps/cli/result_files.h>
+#include <apps/cli/stopwatch.h>
+#include <apps/cli/tracker.h>
+#include <apps/formats/input_error.h>
+#include <apps/formats/write_csv.h>
+#include <apps/formats/write_mesh.h>
+#include <apps/motion/mesh_quality.h>
+#include <apps/motion/nodt_3.h>
+#include <apps/report/summary.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Nodt_call {
+    Common_arguments common;
+    Tracking_arguments tracking;
+    Nodt_arguments nodt;
+    Frame_arguments frames;
+};
+
+std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
+    double sum = 0;
+    for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+        if (mesh.inside()[c] != 0) sum += mesh.kept().moments()[c].volume;
+    char text[80];
+    std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.",
+                  100 * sum / domain.volume());
+    return text;
+}
+
+/// Adds to the page the cells of the domain, their dihedral angles, and the vertices on their surface.
+void add_domain(Run_page<Moving_mesh_3>& page, const Mesh_3& mesh, const Run_record& run) {
+    page.cells = mesh.cells().vertex;
+    std::vector<std::array<Index, 4>> inside;
+    std::vector<std::int64_t> flag, boundary(mesh.points().size(), 0);
+    for (std::size_t c = 0; c < page.cells.size(); ++c) {
+        flag.push_back(mesh.inside()[c] != 0 ? 1 : 0);
+        if (mesh.inside()[c] != 0) inside.push_back(page.cells[c]);
+    }
+    const auto facets = surface_facets(mesh.cells(), mesh.inside());
+    for (const auto& facet : facets)
+        for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
+    page.point_fields.push_back({"boundary", std::move(boundary)});
+    page.cell_fields.push_back({"domain", std::move(flag)});
+    page.files.emplace_back("dihedral.csv", write_csv(dihedral_table(run)));
+    page.files.emplace_back("domain.mesh", write_part(mesh.points(), inside, facets));
+}
+
+int run(const Nodt_call& a, const std::string& command) {
+    const auto begin = Clock::now();
+    Options options = options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
+    const bool files = !a.common.output.empty();
+    if (files) require_writable(a.common);
+    Nodt_scene scene = make_scene(a.nodt, a.common.seed);
+    const Domain_3& domain = *scene.domain;
+    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
+                      files);
+    Mesh_3 mesh;
+    mesh.read(tracker.triangulation(), true, domain, a.common.threads);
+    scene.require_cells(a.nodt, mesh.inside());
+    scene.notes.push_back(filled(mesh, domain));
+    tracker.mesh_before(measured(mesh, {}));
+    Run_page<Moving_mesh_3> page{.step = "natural ODT iteration"};
+    const std::size_t axis = mesh.shortest_side();
+    if (files) page.before = mesh.cut("before", axis);
+    Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
+    if (a.frames.any()) frames.frame(0);
+
+    const Nodt_3 nodt = scene.motion(a.nodt, a.common.threads);
+    Nodt_memory memory;
+    std::vector<Coordinates<3>> target(scene.points.size());
+    std::optional<Interruption_guard> guard;
+    if (files) guard.emplace();
+    {
+        Progress progress("nodt", a.nodt.iterations, a.common.quiet);
+        for (std::uint64_t i = 1; i <= a.nodt.iterations && !Interruption_guard::interrupted(); ++i) {
+            auto start = Clock::now();
+            const Nodt_step step = nodt.step(mesh.kept(), mesh.points(), target, memory);
+            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            // Reading the mesh for the next step is part of the motion's time; measuring its quality is not.
+            start = Clock::now();
+            mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
+            tracker.add_motion(since(start));
+            tracker.mesh_after(measured(mesh, step));
+            if (a.frames.any()) frames.frame(i);
+            char news[40];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance, ", 100 * tracker.share_within());
+            progress.show(i, news + counted(tracker.record().steps.back().mesh->slivers, "sliver"));
+        }
+    }
+    tracker.finish(command, a.common.seed, since(begin));
+    if (files) {
+        add_domain(page, mesh, tracker.record());
+        page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"), axis);
+        page.notes = scene.notes;
+        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.frames = &frames;
+        write_run(a.common, tracker, std::move(page));
+    }
+    if (tracker.record().interrupted) {
+        say_interrupted(a.common, tracker.record().iterations, a.nodt.iterations);
+        return done;
+    }
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        if (files) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+}  // namespace
+
+Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand("nodt", nodt_summary);
+    const auto a = std::make_shared<Nodt_call>();
+    add_nodt(*sub, a->nodt);
+    add_tracking(*sub, a->tracking);
+    add_frames(*sub, a->frames);
+    add_common(*sub, a->common,
+               "summary.json, iterations.csv, final.mesh, final.vtu, domain.mesh, dihedral.csv and report.html");
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/arguments.h>
+#include <apps/cli/commands.h>
+#include <apps/cli/files.h>
+#include <apps/cli/frame_change.h>
+#include <apps/cli/mesh_3.h>
+#include <apps/cli/progress.h>
+#include <apps/cli/replay_scene.h>
+#include <apps/cli/result_files.h>
+#include <apps/cli/stopwatch.h>
+#include <apps/cli/tracker.h>
+
+#include <cstdio>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace annulus::cli {
+
+namespace {
+
+struct Replay_call {
+    Common_arguments common;
+    Tracking_arguments tracking;
+    Replay_arguments replay;
+    Frame_arguments frames;
+};
+
+/// The solid cells in an order that does not depend on the history of the triangulation.
+std::vector<std::array<Index, 3>> ordered_cells(const Moving_mesh_2&) { return {}; }
+std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
+    Mesh_3 mesh;
+    mesh.read(dt);
+    return mesh.cells().vertex;
+}
+
+/// How many points appeared, disappeared, and were merged with others.
+struct Traffic {
+    std::uint64_t arrived = 0, left = 0, merged = 0;
+
+    [[nodiscard]] std::string in_words() const {
+        std::string text = counted(arrived, "point") + " appeared, " + std::to_string(left) + " disappeared";
+        if (merged > 0) text += ", " + std::to_string(merged) + " merged with others at their place";
+        return text + ".";
+    }
+};
+
+/// A triangulation that moves from frame to frame, and the data that is written for each frame.
+template <class Moving>
+class Replay {
+  public:
+    static constexpr int d = Moving::dimension_of_space;
+
+    Replay(const Replay_call& a, const Options& options, Replayed_frames<d>& frames)
+        : frames_(frames), films_(!a.common.output.empty()), tracker_(first_frame(a, options)), page_{.step = "step"} {
+        if (!films_) tracker_.forget_steps();
+        else files_.emplace(a.common, a.frames, tracker_);
+        present_ = {std::move(frame_.id), std::vector<Index>(frame_.x.size())};
+        std::iota(present_.index.begin(), present_.index.end(), Index{0});
+        for (std::size_t k = 0; files_ && k < present_.id.size(); ++k) files_->name(present_.index[k], present_.id[k]);
+        note_frame();
+        if (frames_.at_end()) tracker_.ends_after(0);
+    }
+
+    /// One step; false after the last.
+    bool next() {
+        if (!frames_.next(frame_)) return false;
+        if (frames_.at_end()) tracker_.ends_after(tracker_.record().iterations + 1);
+        Frame_change<d> change(present_, tracker_.triangulation().points(), frame_);
+        if (files_) {
+            std::vector<std::uint64_t> ids;
+            for (std::size_t k = 0; k < change.index.size(); ++k)
+                if (change.index[k] == none) ids.push_back(frame_.id[k]);
+            files_->arriving(ids);
+        }
+        const auto indices = tracker_.follow(change.leave, change.x, change.arrive, 0, change.mean(), change.max);
+        auto arrived = indices.begin();
+        for (Index& index : change.index)
+            if (index == none) index = *arrived++;
+        present_ = {std::move(frame_.id), std::move(change.index)};
+        traffic_.arrived += indices.size();
+        traffic_.left += change.leave.size();
+        traffic_.merged += frame_.merged;
+        note_frame();
+        return true;
+    }
+
+    [[nodiscard]] Tracker<Moving>& tracker() { return tracker_; }
+    [[nodiscard]] const Traffic& traffic() const { return traffic_; }
+
+    void write(const Common_arguments& arguments, std::vector<std::string> notes) {
+        if (films_) page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_), true);
+        page_.notes = std::move(notes);
+        page_.cells = ordered_cells(tracker_.triangulation());
+        page_.figures = frame_figures(files_->records(), tracker_.record(), true);
+        page_.frames = &*files_;
+        write_run(arguments, tracker_, std::move(page_));
+    }
+
+  private:
+    Tracker<Moving> first_frame(const Replay_call& a, const Options& options) {
+        (void)frames_.next(frame_);
+        traffic_.merged = frame_.merged;
+        if (films_) require_writable(a.common);
+        return {a.tracking.strategy, frame_.x,         options, frames_.spacing(),
+                unknown_iterations,  a.tracking.audit, films_};
+    }
+    void note_frame() {
+        if (!files_) return;
+        files_->frame(frame_.number);
+        caption_ = "Frame " + std::to_string(frame_.number);
+        const std::uint64_t step = tracker_.record().iterations;
+        if (page_.film.wants(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_));
+    }
+
+    Replayed_frames<d>& frames_;
+    bool films_;
+    Frame_points<d> frame_;
+    Traffic traffic_;
+    Tracker<Moving> tracker_;
+    Run_page<Moving> page_;
+    std::optional<Frame_files<Moving>> files_;
+    Present present_;
+    std::string caption_;  // of the last frame
+};
+
+template <class Moving>
+int replay(const Replay_call& a, const Options& options, const std::string& command, Opened_motion& motion,
+           Clock::time_point begin) {
+    Replayed_frames<Moving::dimension_of_space> frames(motion, a.replay);
+    Replay<Moving> run(a, options, frames);
+    const Tracker<Moving>& tracker = run.tracker();
+    const bool files = !a.common.output.empty();
+    std::optional<Interruption_guard> guard;
+    if (files) guard.emplace();
+    std::optional<Input_error> fault;
+    try {
+        Progress progress("replay", 0, a.common.quiet);
+        while (!Interruption_guard::interrupted() && run.next()) {
+            char news[40];
+            std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
+            progress.show(tracker.record().iterations, news, motion.reader.share_read());
+        }
+    } catch (const Input_error& error) {
+        // An interrupt from a terminal also ends a pipe, because the program at its other end gets the same signal.
+        if (!files || (tracker.record().iterations == 0 && !Interruption_guard::interrupted())) throw;
+        fault = error;
+    }
+    run.tracker().finish(command, a.common.seed, since(begin));
+    run.tracker().input(motion.input());
+    const std::vector<std::string> notes{run.traffic().in_words()};
+    if (files) run.write(a.common, notes);
+    a.common.say_notes(motion.reader.notes());
+    if (fault && !Interruption_guard::interrupted())
+        throw Input_error(fault->code(), fault->file(), fault->line(), fault->fault(),
+                          fault->expected() + "; what was done before is in " + partial(a.common.output));
+    if (tracker.record().interrupted) {
+        say_interrupted(a.common, tracker.record().iterations);
+        return done;
+    }
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        std::printf("points         %s\n", notes.front().c_str());
+        if (files) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return tracker.record().audit.failed == 0 ? done : audit_failed;
+}
+
+int run(const Replay_call& a, const std::string& command) {
+    const auto begin = Clock::now();
+    Options options = options_of(a.tracking, a.common);  // reports wrong usage before a file is opened
+    prepare(a.frames, a.common, options);
+    Opened_motion motion = open_motion(a.replay);
+    return motion.dimension == 2 ? replay<Moving_mesh_2>(a, options, command, motion, begin)
+                                 : replay<Moving_mesh_3>(a, options, command, motion, begin);
+}
+
+}  // namespace
+
+Run add_replay_command(CLI::App& app, const Invocation& invocation) {
+    auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
+    const auto a = std::make_shared<Replay_call>();
+    add_replay(*sub, a->replay);
+    add_frames(*sub, a->frames);
+    add_tracking(*sub, a->tracking);
+    add_common(*sub, a->common, run_files);
+    return [a, command = command_line(invocation.words)] { return run(*a, command); };
+}
+
+}  // namespace annulus::cli

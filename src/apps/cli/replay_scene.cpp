@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/frame_change.h>
+#include <apps/cli/replay_scene.h>
+#include <apps/formats/decimal.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace annulus::cli {
+
+Motion_options Replay_arguments::motion() const {
+    return {absent == "empty"  ? Absent_frames::empty
+            : absent == "skip" ? Absent_frames::skip
+                               : Absent_frames::refuse,
+            format,
+            {.ignored = open}};
+}
+
+void add_replay(CLI::App& app, Replay_arguments& a) {
+    app.add_option("FILE", a.file,
+                   "Frames: .xyz (extended XYZ), .lammpstrj (LAMMPS dump) or .csv with columns frame, id, x, y [, z];\n"
+                   "each may be compressed, .gz; - is standard input")
+        ->required();
+    add_format(app, a.format, frame_formats);
+    app.add_option("--dim", a.dimension, "Dimension; 2 drops z. Without it, 3 if z is not the same everywhere")
+        ->check(whole_number(2, 3));
+    app.add_option("--coincident", a.coincident,
+                   "Duplicate points in a frame: refuse them, or merge: the one with the least id represents all")
+        ->check(CLI::IsMember({"refuse", "merge"}))
+        ->capture_default_str();
+    app.add_option("--absent-frames", a.absent,
+                   "Gaps in the frame numbers of a .csv file: refuse them, empty: all points disappear for one step\n"
+                   "and appear again, or skip: one step spans the gap")
+        ->check(CLI::IsMember({"refuse", "empty", "skip"}))
+        ->capture_default_str();
+    add_open(app, a.open);
+}
+
+namespace {
+
+/// 2 if z is the same everywhere; if the file cannot be read twice, in its first frame with points.
+int dimension_of(const Replay_arguments& a, const Opened_motion& motion) {
+    if (!motion.reader.has_z()) return 2;
+    std::error_code ignored;
+    if (!is_standard_input(a.file) && std::filesystem::is_regular_file(a.file, ignored))
+        return is_flat(a.file, a.motion()) ? 2 : 3;
+    const auto& p = motion.first.position;
+    return std::all_of(p.begin(), p.end(), [&](const auto& q) { return q[2] == p.front()[2]; }) ? 2 : 3;
+}
+
+}  // namespace
+
+Opened_motion open_motion(const Replay_arguments& a) {
+    Opened_motion motion{Motion_reader(a.file, a.motion())};
+    while (motion.reader.next(motion.first) && motion.first.id.empty()) motion.empty.push_back(motion.first.number);
+    if (a.dimension == 3 && !motion.reader.has_z())
+        throw Input_error(Error_code::bad_input, motion.reader.name(), 0, "points have no z",
+                          "a third coordinate for --dim 3");
+    motion.dimension = a.dimension != 0 ? a.dimension : dimension_of(a, motion);
+    if (motion.dimension == 2 && motion.reader.has_z()) {
+        motion.why = "--dim 2 drops z";
+        if (a.dimension == 0) {
+            motion.why = "z is the same everywhere: ";
+            append_decimal(motion.why, motion.first.position.front()[2]);
+        }
+    }
+    return motion;
+}
+
+Input_record Opened_motion::input() const {
+    Input_record input = input_of(reader, dimension);
+    input.dimension = why;
+    return input;
+}
+
+template <int d>
+Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_arguments& arguments)
+    : reader_(motion.reader),
+      frame_(std::move(motion.first)),
+      empty_(motion.empty.begin(), motion.empty.end()),
+      coincident_(arguments.on_coincident()),
+      first_(points_of<d>(reader_.name(), frame_, coincident_)),
+      spacing_(spacing_of<d>(first_->x)) {
+    if (d == 2 && arguments.dimension == 0 && reader_.has_z()) z_ = frame_.position.front()[2];
+    require_flat();
+}
+
+/// Checks the z of later frames of a file that was taken for a 2D motion because of its first frame.
+template <int d>
+void Replayed_frames<d>::require_flat() const {
+    for (std::size_t i = 0; z_ && i < frame_.position.size(); ++i)
+        if (frame_.position[i][2] != *z_)
+            throw Input_error(Error_code::bad_input, reader_.name(), frame_.line[i],
+                              "z is not that of all points before", "--dim 3, or --dim 2 to drop z");
+}
+
+template <int d>
+bool Replayed_frames<d>::at_end() {
+    return empty_.empty() && !first_ && reader_.at_end();
+}
+
+template <int d>
+bool Replayed_frames<d>::next(Frame_points<d>& frame) {
+    if (!empty_.empty()) {
+        frame = {.number = empty_.front()};
+        empty_.pop_front();
+    } else if (first_) {
+        frame = std::move(*first_);
+        first_.reset();
+    } else {
+        if (!reader_.next(frame_)) return false;
+        require_flat();
+        frame = points_of<d>(reader_.name(), frame_, coincident_);
+    }
+    return true;
+}
+
+template class Replayed_frames<2>;
+template class Replayed_frames<3>;
+
+}  // namespace annulus::cli

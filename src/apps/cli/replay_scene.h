@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/cli/arguments.h>
+#include <apps/cli/input.h>
+#include <apps/formats/frame_points.h>
+#include <apps/formats/motion_reader.h>
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace annulus::cli {
+
+/// The arguments that say which recorded motion to follow.
+struct Replay_arguments {
+    std::string file;
+    int dimension = 0;  ///< 0: that of the file
+    std::string coincident = "refuse";
+    std::string absent = "refuse";
+    std::string format;  ///< if not that of the extension
+    bool open = false;   ///< ignore a periodic box
+
+    [[nodiscard]] Coincident on_coincident() const {
+        return coincident == "merge" ? Coincident::merge : Coincident::refuse;
+    }
+    [[nodiscard]] Motion_options motion() const;
+};
+
+void add_replay(CLI::App& app, Replay_arguments& arguments);
+
+/// A motion whose first frames, up to one with points, have been read to find its dimension.
+struct Opened_motion {
+    Motion_reader reader;
+    std::vector<std::uint64_t> empty{};  ///< numbers of the frames without points that come first
+    Frame first{};
+    int dimension = 2;
+    std::string why{};  ///< why points with a z are a 2D motion: "--dim 2 drops z"
+
+    /// How the file was interpreted, up to where it has been read.
+    [[nodiscard]] Input_record input() const;
+};
+/// Throws Input_error.
+[[nodiscard]] Opened_motion open_motion(const Replay_arguments& arguments);
+
+/// The frames of a file as a motion of dimension d.
+template <int d>
+class Replayed_frames {
+  public:
+    Replayed_frames(Opened_motion& motion, const Replay_arguments& arguments);
+
+    /// The unit of length: see spacing_of.
+    [[nodiscard]] double spacing() const { return spacing_; }
+    [[nodiscard]] bool at_end();
+    bool next(Frame_points<d>& frame);
+    [[nodiscard]] const Motion_reader& reader() const { return reader_; }
+
+  private:
+    void require_flat() const;
+
+    Motion_reader& reader_;
+    Frame frame_;
+    std::deque<std::uint64_t> empty_;
+    Coincident coincident_;
+    std::optional<Frame_points<d>> first_;
+    double spacing_;
+    std::optional<double> z_;
+};
+
+extern template class Replayed_frames<2>;
+extern template class Replayed_frames<3>;
+
+}  // namespace annulus::cli

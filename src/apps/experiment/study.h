@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <apps/experiment/hard_inputs.h>
+#include <apps/experiment/tally.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace annulus {
+
+/// The results for one set of points.
+struct Study {
+    std::uint64_t vertices = 0;
+    int affine_dimension = -1;
+    double spacing = 0;     ///< mean spacing (measure/spacing.h), 0 where the points do not span the space
+    double resolution = 0;  ///< the distance of doubles at the largest coordinate
+    Tally tally{};          ///< only "flat": 1 where the points do not span the space
+};
+
+/// Triangulates points and examines every certificate. `x` are distinct and in the domain, without -0; the hardest
+/// inputs go to `hard`, with the seed. `threads`: how many examine certificates; results do not depend on it.
+template <int d>
+[[nodiscard]] Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard, int threads);
+
+extern template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&, int);
+extern template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&, int);
+
+}  // namespace annulus

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/motion/recorded_motion.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace annulus {
+
+/// How to treat points at the same position in one frame.
+enum class Coincident {
+    refuse,  ///< an Input_error(duplicate_point)
+    merge,   ///< keep the one with the least id; the others are absent from this frame
+};
+
+/// Points of one frame that a triangulation accepts: none outside the domain of the library, no two equal, no -0.
+template <int d>
+struct Frame_points {
+    std::uint64_t number = 0;         ///< the frame's number in the file
+    std::vector<std::uint64_t> id{};  ///< ascending
+    std::vector<Coordinates<d>> x{};
+    std::uint64_t merged = 0;  ///< points that were dropped in favour of another one
+};
+
+/// Drops z in two dimensions. Throws Input_error with the name of the file. O(n log n).
+template <int d>
+[[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident);
+
+extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
+extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
+
+}  // namespace annulus

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/frame_readers.h>
+
+#include <utility>
+
+namespace annulus {
+
+void Raw_frame::clear() {
+    points.points.clear();
+    points.lines.clear();
+    points.has_z = false;
+    id.clear();
+    number = line = 0;
+    ids_are_places = false;
+}
+
+bool Frame_reader::at_end() {
+    if (!found_) found_ = seek();
+    return !*found_;
+}
+
+bool Frame_reader::next(Raw_frame& frame) {
+    frame.clear();
+    if (at_end()) return false;
+    found_.reset();
+    reader_.begin_piece();
+    frame.line = reader_.number();
+    read(frame);
+    return true;
+}
+
+void Frame_reader::require_last(const Raw_frame& frame) {
+    if (!at_end()) refuse_more(frame);
+}
+
+void Frame_reader::make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const {
+    const std::size_t room = reader_.room_for(count, bytes_a_point, "points");
+    frame.points.points.reserve(room);
+    frame.points.lines.reserve(room);
+    if (wants_ids()) frame.id.reserve(room);
+}
+
+void Frame_reader::note(std::uint64_t line, const std::string& text) {
+    notes_.push_back(reader_.name() + ":" + std::to_string(line) + ": " + text);
+}
+
+void Frame_reader::meet_box(const std::string& what) {
+    if (!box_.ignored)
+        reader_.fail(what + ": a periodic box, and these are not supported",
+                     std::string(box_.how) + ", by which points are taken as they stand, with open boundaries");
+    if (std::exchange(ignored_box_, true)) return;
+    note(reader_.number(),
+         what + " ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries");
+}
+
+std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
+                                        const Periodic_box& box) {
+    switch (format) {
+        case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted, box);
+        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted, box);
+        default: return std::make_unique<Xyz_frames>(bytes, wanted, box);
+    }
+}
+
+Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box) {
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Frame_contents::points, box);
+    Raw_frame frame;
+    if (frames->next(frame)) frames->require_last(frame);
+    frame.points.columns = frames->columns();
+    frame.points.notes = frames->notes();
+    frame.points.ignored_box = frames->ignored_box();
+    return std::move(frame.points);
+}
+
+}  // namespace annulus

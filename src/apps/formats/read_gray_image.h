@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/formats/text_input.h>
+#include <apps/motion/stippling.h>
+
+#include <filesystem>
+
+namespace annulus {
+
+/// Whether the name is that of a picture that `read_gray_image` takes: .png or .pgm, either case, also with .gz.
+[[nodiscard]] bool is_gray_image(const std::filesystem::path& file);
+
+/// Reads a picture as grey values: PGM, P2 and P5, of 8 or 16 bits; PNG of any kind, by libpng: values as they are in
+/// the file, ignoring gamma; colours become their luma (ITU-R BT.709), and transparent pixels are blended with white.
+///
+/// Throws Input_error for every fault of the file. 2^26 pixels and 2^17 in a row at most. Memory is allocated when the
+/// file is long enough to hold the pixels that its header announces.
+[[nodiscard]] Gray_image read_gray_image(const std::filesystem::path& file);
+
+// One file each.
+[[nodiscard]] Gray_image read_pgm(const Source& source);
+[[nodiscard]] Gray_image read_png(const Source& source);
+
+/// Checks and sets the size that a header announces on this line.
+void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,
+              std::uint64_t line);
+
+}  // namespace annulus

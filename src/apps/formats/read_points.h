@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/arithmetic/coordinates.h>
+#include <apps/formats/input_error.h>
+#include <apps/formats/periodic_box.h>
+#include <apps/formats/taken_columns.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace annulus {
+
+struct Read_options {
+    /// In two dimensions, drop a z coordinate instead of refusing the file.
+    bool ignore_z = false;
+    /// "xyz", "csv" ..: the format of the file in place of that of its extension; standard input has none.
+    std::string format{};
+    Periodic_box box{};
+};
+
+/// The points of one file, in its order and in its unit of length. All coordinates are finite.
+template <int d>
+struct Point_file {
+    std::string name;
+    std::vector<Coordinates<d>> points;
+    /// Of each point: its line, or the number of its record in a binary file, from 1.
+    std::vector<std::uint64_t> lines;
+    Taken_columns columns;  ///< which columns were taken
+    /// Content of the file that is ignored or may have another meaning; each a line with the file's name.
+    std::vector<std::string> notes;
+    bool ignored_box = false;  ///< whether a periodic box was ignored
+
+    /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
+    [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
+        return {code, name, lines.at(i), std::move(what), std::move(expected)};
+    }
+};
+
+/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; see format.h),
+/// and .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is
+/// refused, and one with a periodic box unless it is to be ignored.
+///
+/// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for every fault of the file, including a file
+/// without points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of the file,
+/// which is held in memory.
+template <int d>
+[[nodiscard]] Point_file<d> read_points(const std::filesystem::path& file, const Read_options& options = {});
+
+/// The same in the dimension of the file: 3 where its points have a z that is not ignored.
+[[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
+                                                                                      const Read_options& options = {});
+
+/// The distinct points of a file in the order of their first occurrence; no -0. Throws Input_error for a point outside
+/// the domain of the library and for fewer than `at_least` distinct ones. O(n log n).
+template <int d>
+[[nodiscard]] std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least);
+
+extern template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
+extern template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
+extern template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
+extern template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
+
+}  // namespace annulus

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/markup.h>
+#include <apps/report/axis_ticks.h>
+#include <apps/report/degeneracy_report.h>
+#include <apps/report/page.h>
+#include <apps/report/table.h>
+
+namespace annulus {
+
+namespace {
+
+using Columns = std::vector<std::string>;  ///< headings, HTML
+
+std::string relative_number(double x) { return x == 0 ? "0" : escaped(readable(x)); }
+
+std::string threshold_head(const Threshold& t) {
+    if (t.name != "ulp") return "&lt; " + escaped(t.name);
+    return "&lt; 1 ulp <small>(" + relative_number(t.relative) + ")</small>";
+}
+
+/// Percentage of the samples below each edge.
+Series cumulative(std::string name, const Histogram& h) {
+    Series s;
+    s.name = std::move(name);
+    std::uint64_t below = h.underflow();
+    const auto edges = h.edges();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0) below += h.counts()[i - 1];
+        if (below == 0) continue;
+        s.x.push_back(edges[i]);
+        s.y.push_back(100 * static_cast<double>(below) / static_cast<double>(h.total()));
+        if (below == h.total()) break;
+    }
+    return s;
+}
+
+Plot cumulative_plot(std::string title, std::string x,
+                     const std::vector<std::pair<std::string, const Distribution*>>& of) {
+    Plot plot;
+    plot.title = std::move(title);
+    plot.x = {std::move(x), Scale::log10};
+    plot.y = {"share below, percent", Scale::log10};
+    for (const auto& [name, d] : of)
+        if (d->histogram.total() > 0) plot.series.push_back(cumulative(name, d->histogram));
+    return plot;
+}
+
+Plot histogram_plot(std::string title, std::string x, Scale scale,
+                    const std::vector<std::pair<std::string, const Distribution*>>& of) {
+    Plot plot;
+    plot.title = std::move(title);
+    plot.x = {std::move(x), scale};
+    plot.y = {"share, percent"};
+    for (const auto& [name, d] : of)
+        if (d->histogram.total() > 0) plot.series.push_back(histogram_series(name, d->histogram));
+    return plot;
+}
+
+struct Certificate_names {
+    const char* cell;
+    const char* ridge;
+    const char* bicell;
+};
+Certificate_names words(int dimension) {
+    if (dimension == 2) return {"triangles", "hull vertices", "bi-cells (empty circles)"};
+    return {"tetrahedra", "hull edges", "bi-cells (empty spheres)"};
+}
+
+void append_counts(std::string& out, const Degeneracy& d) {
+    Columns head{"", "number", "exactly 0"};
+    for (const Threshold& t : d.thresholds) head.push_back(threshold_head(t));
+    std::vector<Table_row> rows;
+    const auto add = [&](const std::string& name, std::uint64_t total, std::uint64_t zero,
+                         const std::vector<std::uint64_t>& below) {
+        rows.push_back({name, grouped(total), with_share(zero, total)});
+        for (const std::uint64_t n : below) rows.back().push_back(with_share(n, total));
+    };
+    const auto add_widths = [&](const std::string& name, const Width_counts& c) {
+        add(name, c.total, c.zero, c.below);
+    };
+    const Certificate_names w = words(d.dimension);
+    add_widths(w.bicell, d.bicells.least);
+    if (d.dimension == 3) add_widths("&nbsp; the paper's annulus alone", d.standard);
+    add_widths(w.cell, d.cells.least);
+    add_widths(w.ridge, d.ridges.least);
+    add("vertices (tolerance)", d.vertices.total, d.vertices.zero, d.vertices.below);
+    out += "<h2>Degenerate, exactly and nearly</h2>\n";
+    append_table(out, head, rows);
+    out +=
+        "<figcaption>Widths of annuli and of slabs, in mean spacings; of a vertex the tolerance, which is half a "
+        "width. ";
+    out += d.dimension == 2 ? "" : "The width of a bi-cell is the least of its four annuli. ";
+    out +=
+        "Every count is certified: a width is compared as a real number, with integers where intervals do not tell. "
+        "One ulp is "
+        "the distance of doubles at the largest coordinate: a width below it may be the work of "
+        "rounding.</figcaption>\n";
+}
+
+void append_quantiles(std::string& out, const Degeneracy& d) {
+    Columns head{""};
+    for (const double p : Distribution::probabilities)
+        head.push_back(p == 0 ? "least" : p == 1 ? "greatest" : p == 0.5 ? "median" : readable(100 * p) + " %");
+    std::vector<Table_row> rows;
+    const auto add = [&](const std::string& name, const Distribution& q) {
+        if (q.quantiles.empty()) return;
+        rows.push_back({name});
+        for (const double x : q.quantiles) rows.back().push_back(relative_number(x));
+    };
+    const Certificate_names w = words(d.dimension);
+    add(std::string("width of ") + w.bicell, d.bicells.least.width);
+    if (d.dimension == 3) add("width of the paper's annuli", d.standard.width);
+    add(std::string("width of ") + w.cell, d.cells.least.width);
+    add(std::string("width at ") + w.ridge, d.ridges.least.width);
+    add("certified tolerance", d.vertices.certified);
+    add("the paper's tolerance", d.vertices.paper);
+    add("theta, radians", d.theta);
+    out += "<h2>Quantiles</h2>\n";
+    append_table(out, head, rows);
+    out += "<figcaption>Lengths in mean spacings.</figcaption>\n";
+}
+
+void append_stages(std::string& out, const Degeneracy& d) {
+    std::vector<Table_row> rows;
+    const auto add = [&](const std::string& name, const Stage_counts& s) {
+        rows.push_back({name, grouped(s.total()), with_share(s.filter, s.total()), with_share(s.interval, s.total()),
+                        with_share(s.exact, s.total())});
+    };
+    const Certificate_names w = words(d.dimension);
+    add(w.bicell, d.bicells.arithmetic);
+    add(w.cell, d.cells.arithmetic);
+    add(w.ridge, d.ridges.arithmetic);
+    add("convexity of bi-cells", d.convexity);
+    out += "<h2>What arithmetic decides</h2>\n";
+    append_table(out, {"", "decisions", "filter", "intervals", "exact"}, rows);
+    out += "<figcaption>Sign and tolerance of each certificate as a run would ask for them.</figcaption>\n";
+}
+
+void append_paper(std::string& out, const Degeneracy& d) {
+    const Vertex_counts& v = d.vertices;
+    out += "<h2>The paper's tolerance</h2>\n<div class=\"numbers\"><table>\n";
+    append_row(out, "vertices at which it is unsound", with_share(v.paper_unsound, v.total));
+    append_row(out, "above the distance to degeneracy", with_share(v.paper_above_exact, v.total));
+    append_row(out, "certificates that fail within it", grouped(v.unsound_certificates));
+    append_row(out, "bi-cells that are not convex", with_share(d.non_convex, d.bicells.least.total));
+    append_row(out, d.dimension == 2 ? "bi-cells with three collinear points" : "bi-cells with four coplanar points",
+               with_share(d.flat, d.bicells.least.total));
+    out +=
+        "</table></div>\n<figcaption>Unsound: the vertex is in a certificate all points of which can go to where it "
+        "fails and "
+        "stay within the paper's tolerances.";
+    if (d.dimension == 2) out += " In the plane the paper's tolerance is right, so this is 0.";
+    out += "</figcaption>\n";
+}
+
+}  // namespace
+
+std::string degeneracy_html(const Degeneracy_record& r) {
+    const std::string name = r.file.substr(r.file.find_last_of('/') + 1);
+    std::string out = page_head("Degeneracy of " + grouped(r.vertices) + " points: " + name, r.command);
+    append_warnings(out, r.input.warnings);
+    if (!r.input.columns.empty()) out += "<p>" + escaped(listed(r.input.columns)) + ".</p>\n";
+    out += "<div class=\"numbers\"><table>\n";
+    append_row(out, "vertices", grouped(r.vertices) + " <small>in " + std::to_string(r.dimension) + "D</small>");
+    append_row(out, "duplicates merged", grouped(r.points - r.vertices));
+    append_row(out,
+               r.affine_dimension == 3   ? "tetrahedra"
+               : r.affine_dimension == 2 ? "triangles"
+                                         : "edges",
+               grouped(r.simplices));
+    out += "</table><table>\n";
+    if (r.measured) {
+        append_row(out, "mean spacing", relative_number(r.measured->spacing));
+        append_row(out, "ulp of the largest coordinate", relative_number(r.measured->resolution));
+    }
+    append_row(out, "triangulation time", duration(r.seconds_triangulation));
+    append_row(out, "analysis time", duration(r.seconds_analysis));
+    out += "</table></div>\n";
+    if (!r.measured) {
+        out += "<p class=\"verdict\">All points lie ";
+        out += r.affine_dimension == 2 ? "in a plane" : "on a line";
+        out += ": there are no cells of dimension " + std::to_string(r.dimension) + ", and nothing to measure.</p>\n";
+        return out + page_foot();
+    }
+    const Degeneracy& d = *r.measured;
+    append_counts(out, d);
+    append_paper(out, d);
+    const Certificate_names w = words(d.dimension);
+    std::vector<std::pair<std::string, const Distribution*>> widths{{"bi-cells", &d.bicells.least.width}};
+    if (d.dimension == 3) widths.emplace_back("paper's annuli", &d.standard.width);
+    widths.emplace_back(w.cell, &d.cells.least.width);
+    widths.emplace_back(w.ridge, &d.ridges.least.width);
+    const std::vector<std::pair<std::string, const Distribution*>> tolerances{{"certified", &d.vertices.certified},
+                                                                              {"paper", &d.vertices.paper}};
+    append_plots(
+        out, "Distributions",
+        {cumulative_plot("Widths", "width (mean spacings)", widths),
+         cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
+         histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
+         histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})},
+        "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
+        "average. Left of a cumulative curve's first point is nothing; where the curve begins with a horizontal "
+        "line, its share is below the scale, or exactly 0.");
+    append_quantiles(out, d);
+    append_stages(out, d);
+    return out + page_foot();
+}
+
+}  // namespace annulus

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/report/frame_record.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+template <class Record, class X, class Y>
+Series series(std::string name, const std::vector<Record>& records, X x, Y y) {
+    Series s{std::move(name), {}, {}};
+    for (const Record& r : records) {
+        const auto value = y(r);
+        if (!value) continue;
+        s.x.push_back(static_cast<double>(x(r)));
+        s.y.push_back(static_cast<double>(*value));
+    }
+    return s;
+}
+
+Plot plot(std::string title, std::string x, std::string y, std::vector<Series> curves) {
+    std::erase_if(curves, [](const Series& s) { return s.x.empty(); });
+    return {std::move(title),
+            {std::move(x), Scale::linear, {}, {}, true},
+            {std::move(y), Scale::linear, 0., {}, false},
+            std::move(curves)};
+}
+
+}  // namespace
+
+std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run, bool steps) {
+    const auto over_frames = [&](std::string name, auto value) {
+        return series(
+            std::move(name), frames, [](const Frame_record& f) { return f.number; }, value);
+    };
+    const auto over_steps = [&](std::string name, auto value) {
+        return series(
+            std::move(name), run.steps, [](const Iteration_record& s) { return s.iteration; }, value);
+    };
+    const auto voronoi = [&](std::string name, auto member) {
+        return over_frames(std::move(name), [member](const Frame_record& f) {
+            return f.voronoi ? std::optional((*f.voronoi).*member) : std::nullopt;
+        });
+    };
+    using Voronoi = Frame_record::Voronoi;
+    Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, ""};
+    if (steps) {
+        motion.panels.push_back(
+            plot("How far points go in a step", "step", "displacement (mean spacings)",
+                 {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
+                  over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
+        if (run.moves.rebuilt == 0)  // a rebuild has no flips
+            motion.panels.push_back(plot("Flips", "step", "flips in a step",
+                                         {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
+    }
+    if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; }))
+        motion.panels.push_back(plot("Points", "frame", "points",
+                                     {over_frames("", [](const auto& f) { return std::optional(f.points); })}));
+    const auto pairs = [&](std::string name, auto member) {
+        return over_frames(std::move(name), [member](const Frame_record& f) {
+            return f.pairs ? std::optional((*f.pairs).*member) : std::nullopt;
+        });
+    };
+    using Pairs = Frame_record::Neighbour_pairs;
+    motion.panels.push_back(plot("Neighbours that change", "frame", "pairs since the frame before",
+                                 {pairs("made", &Pairs::made), pairs("broken", &Pairs::broken)}));
+    const char* const volume = run.dimension == 2 ? "area" : "volume";
+    cells.panels.push_back(plot(std::string("The ") + volume + " of bounded cells", "frame", volume,
+                                {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
+                                 voronoi("95 %", &Voronoi::volume_high)}));
+    if (run.dimension == 2)
+        cells.panels.push_back(plot("Cells with six neighbours", "frame", "share of the bounded cells",
+                                    {voronoi("", &Voronoi::hexagons)}));
+    else
+        cells.panels.push_back(plot("Neighbours of a cell", "frame", "mean over the bounded cells",
+                                    {voronoi("", &Voronoi::neighbours_mean)}));
+    cells.panels.push_back(plot("Unbounded cells", "frame", "cells", {voronoi("", &Voronoi::unbounded)}));
+    std::vector<Figure> figures;
+    for (Figure* figure : {&motion, &cells}) {
+        std::erase_if(figure->panels, [](const Plot& p) { return p.series.empty(); });
+        if (!figure->panels.empty()) figures.push_back(std::move(*figure));
+    }
+    return figures;
+}
+
+}  // namespace annulus

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/report/report.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace annulus {
+
+/// Results for one frame of a run, in the caller's units; results that were not requested are absent.
+struct Frame_record {
+    struct Neighbour_pairs {
+        std::uint64_t made = 0, broken = 0;
+    };
+    /// Voronoi cells that are bounded; the numbers are 0 where there are none.
+    struct Voronoi {
+        std::uint64_t bounded = 0, unbounded = 0;
+        double volume_low = 0, volume_median = 0, volume_high = 0;  ///< 5 %, half and 95 % are smaller
+        double neighbours_mean = 0;
+        double hexagons = 0;  ///< share of cells with six neighbours
+    };
+
+    std::uint64_t number = 0;
+    std::uint64_t points = 0;
+    std::optional<Neighbour_pairs> pairs{};
+    std::optional<Voronoi> voronoi{};
+};
+
+/// Curves over the frames, of values that are present and not constant. With `steps` also those of the run's steps:
+/// displacements, flips.
+[[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
+                                                bool steps);
+
+}  // namespace annulus

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/markup.h>
+#include <apps/report/axis_ticks.h>
+#include <apps/report/page.h>
+#include <apps/report/report_style.h>
+#include <apps/report/table.h>
+
+namespace annulus {
+
+std::string page_head(const std::string& title, const std::string& command) {
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>";
+    out += escaped(title) + "</title>\n<style>" + report_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+           escaped(title) + "</h1>\n";
+    if (!command.empty()) out += "<p class=\"command\"><code>" + escaped(command) + "</code></p>\n";
+    return out;
+}
+
+std::string page_foot() { return "</main>\n" + table_script() + "</body>\n</html>\n"; }
+
+std::string percentage(std::uint64_t part, std::uint64_t all) {
+    if (all == 0) return "–";
+    const double value = 100 * static_cast<double>(part) / static_cast<double>(all);
+    if (part != all && value >= 99.95) return "&gt; 99.9 %";
+    if (part != 0 && value < 0.01) return "&lt; 0.01 %";
+    return readable(value) + " %";
+}
+
+std::string duration(double seconds) {
+    if (seconds == 0) return "0 s";
+    if (seconds < 1e-3) return readable(seconds * 1e6) + " µs";
+    return seconds < 1 ? readable(seconds * 1e3) + " ms" : readable(seconds) + " s";
+}
+
+void append_row(std::string& out, std::string_view name, const std::string& value) {
+    out += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + value + "</td></tr>\n";
+}
+
+std::string with_share(std::uint64_t part, std::uint64_t all) {
+    return grouped(part) + " <small>(" + percentage(part, all) + ")</small>";
+}
+
+void append_figure(std::string& out, const std::string& heading, const std::string& svg, const std::string& caption) {
+    out += "<figure>";
+    if (!heading.empty()) out += "<h3>" + escaped(heading) + "</h3>";
+    out += svg;
+    if (!caption.empty()) out += "<figcaption>" + caption + "</figcaption>";
+    out += "</figure>\n";
+}
+
+void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
+                  const std::string& caption) {
+    if (plots.empty()) return;
+    out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
+    for (const Plot& plot : plots) append_figure(out, plot.title, svg_plot(plot), "");
+    out += "</div>\n";
+    if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
+}
+
+void append_warnings(std::string& out, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) out += "<p class=\"verdict bad\">" + escaped(warning) + "</p>\n";
+}
+
+std::string listed(const std::vector<std::pair<std::string, std::string>>& columns) {
+    std::string text;
+    for (const auto& [what, where] : columns) text += (text.empty() ? "" : ", ") + what + ": " + where;
+    return text;
+}
+
+void append_notes(std::string& out, const std::vector<std::string>& notes) {
+    if (!notes.empty()) out += "<h2>Notes</h2>\n";
+    for (const std::string& note : notes) out += "<p>" + escaped(note) + "</p>\n";
+}
+
+}  // namespace annulus

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/markup.h>
+#include <apps/report/axis_ticks.h>
+#include <apps/report/page.h>
+#include <apps/report/report.h>
+#include <apps/report/report_plots.h>
+#include <apps/report/table.h>
+
+#include <algorithm>
+
+namespace annulus {
+
+namespace {
+
+std::string memory(std::uint64_t bytes) {
+    if (bytes == 0) return "unknown";
+    const double value = static_cast<double>(bytes);
+    return value < 1e9 ? readable(value / 1e6) + " MB" : readable(value / 1e9) + " GB";
+}
+
+std::string audit(const Audit_record& record) {
+    if (record.checked == 0) return "none";
+    const std::string checked = grouped(record.checked) + " checked, ";
+    return checked + (record.failed == 0 ? "<span class=\"good\">none failed</span>"
+                                         : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
+}
+
+void append_numbers(std::string& out, const Run_record& run) {
+    out += "<div class=\"numbers\"><table>\n";
+    append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
+    if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
+    for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
+    append_row(out, "iterations", grouped(run.iterations));
+    append_row(out, "strategy", escaped(run.strategy));
+    append_row(out, "tolerance", escaped(run.tolerance));
+    append_row(out, "threads", grouped(run.threads));
+    append_row(out, "seed", std::to_string(run.seed));
+    if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
+    out += "</table><table>\n";
+    append_row(out, "construction time", duration(run.seconds.construction));
+    append_row(out, "triangulation time", duration(run.seconds.triangulation));
+    append_row(out, "motion time", duration(run.seconds.motion));
+    append_row(out, "total time", duration(run.seconds.total));
+    append_row(out, "peak memory", memory(run.memory_peak_bytes));
+    append_row(out, "audits", audit(run.audit));
+    const std::uint64_t decisions = run.arithmetic.total();
+    append_row(out, "certificates decided", grouped(decisions));
+    append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
+    append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
+    append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
+    out += "</table><table>\n";
+    const Moves_record& moves = run.moves;
+    append_row(out, "moves asked for", grouped(moves.asked));
+    append_row(out, "within tolerance", with_share(moves.within_tolerance, moves.asked));
+    append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
+    append_row(out, "flipped", with_share(moves.flipped, moves.asked));
+    append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
+    append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
+    out += "</table></div>\n";
+}
+
+/// Both pictures show the same window, so that they can be compared.
+void append_pictures(std::string& out, const Report& report) {
+    if (!report.before && !report.after) return;
+    out += "<h2>The triangulation</h2>\n<div class=\"panels\">\n";
+    std::vector<Coordinates<2>> all;
+    std::size_t most = 12000;
+    for (const auto* picture : {&report.before, &report.after})
+        if (*picture) all.insert(all.end(), (*picture)->points.begin(), (*picture)->points.end());
+    const std::size_t pictures = (report.before ? 1 : 0) + (report.after ? 1 : 0);
+    const Window window = window_of(all, most * pictures, 5000 * pictures);
+    const auto append = [&](const std::optional<Picture>& picture, const char* fallback) {
+        if (!picture) return;
+        std::string caption = escaped(picture->caption.empty() ? fallback : picture->caption);
+        if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
+        if (!window.whole)
+            caption += ": the " + grouped(points_in(window, picture->points)) +
+                       (points_in(window, picture->points) == 1 ? " vertex" : " vertices") +
+                       " in a window in the middle, of " + grouped(picture->points.size());
+        append_figure(out, "", svg_triangulation(*picture, window), caption + ".");
+    };
+    append(report.before, "Before");
+    append(report.after, "After");
+    out += "</div>\n";
+}
+
+void append_comparison(std::string& out, const Comparison_record& comparison) {
+    out += "<h2>Strategies compared</h2>\n";
+    if (!comparison.interrupted)
+        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
+                                : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
+    for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
+    if (comparison.runs.empty()) return;
+    const auto fastest = std::min_element(
+        comparison.runs.begin(), comparison.runs.end(),
+        [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
+    const Run_record& first = comparison.runs.front();
+    std::vector<Table_row> rows;
+    const auto ratio = [](double a, double b) {
+        return b > 0 ? Table_cell(readable(a / b) + "×", a / b) : Table_cell("–");
+    };
+    for (const Run_record& run : comparison.runs) {
+        const double seconds = run.seconds.triangulation;
+        const auto asked = static_cast<double>(run.moves.asked);
+        rows.push_back({escaped(run.strategy),
+                        {duration(seconds), seconds},
+                        ratio(seconds, fastest->seconds.triangulation),
+                        ratio(first.seconds.triangulation, seconds),
+                        {duration(run.seconds.construction), run.seconds.construction},
+                        {percentage(run.moves.within_tolerance, run.moves.asked),
+                         static_cast<double>(run.moves.within_tolerance) / asked},
+                        {audit(run.audit), static_cast<double>(run.audit.failed)}});
+    }
+    append_table(out,
+                 {"strategy", "triangulation", "over fastest", escaped(first.strategy) + " over it", "construction",
+                  "within tolerance", "audits"},
+                 rows, true);
+    append_plots(out, "Cumulative time", comparison_plots(comparison),
+                 "Time for keeping the triangulation and its tolerances right, without the motion and without the "
+                 "construction of the first triangulation and its tolerances, summed over the iterations. A curve that "
+                 "flattens belongs to a strategy that gains from small displacements.");
+}
+
+}  // namespace
+
+std::string report_html(const Report& report) {
+    const Run_record& run = report.run;
+    std::string out = page_head(report.title, run.command);
+    append_warnings(out, run.input.warnings);
+    if (run.interrupted)
+        out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
+               (run.iterations == 1 ? " iteration" : " iterations") + "; this is what it had.</p>\n";
+    if (run.audit.failed > 0)
+        out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
+               (run.audit.checked == 1 ? " audit" : " audits") + " failed: the triangulation was not Delaunay.</p>\n";
+    append_numbers(out, run);
+    if (report.comparison) append_comparison(out, *report.comparison);
+    if (report.film.empty()) append_pictures(out, report);
+    else out += "<h2>The triangulation</h2>\n" + report.film.html();
+    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
+    append_plots(
+        out, "The mesh", mesh_plots(run),
+        "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
+    append_plots(out, "Convergence", convergence_plots(report),
+                 "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
+                 "on average.");
+    append_plots(out, "What a step costs", cost_plots(run), "");
+    append_notes(out, report.notes);
+    return out + page_foot();
+}
+
+}  // namespace annulus

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/report/axis_ticks.h>
+#include <apps/report/report_plots.h>
+
+#include <limits>
+#include <utility>
+
+namespace annulus {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A curve over the iterations; absent values are gaps.
+template <class Value>
+Series over_iterations(std::string name, const std::vector<Iteration_record>& steps, Value value) {
+    Series series;
+    series.name = std::move(name);
+    for (const Iteration_record& step : steps) {
+        const std::optional<double> y = value(step);
+        series.x.push_back(static_cast<double>(step.iteration));
+        series.y.push_back(y.value_or(nan));
+    }
+    return series;
+}
+
+/// Values that were measured only in some steps are joined across the others.
+template <class Value>
+void add_measured(std::vector<Series>& all, std::string name, const std::vector<Iteration_record>& steps, Value value) {
+    Series series;
+    series.name = std::move(name);
+    for (const Iteration_record& step : steps) {
+        const std::optional<double> y = value(step);
+        if (!y) continue;
+        series.x.push_back(static_cast<double>(step.iteration));
+        series.y.push_back(*y);
+    }
+    if (!series.x.empty()) all.push_back(std::move(series));
+}
+
+Axis iteration_axis(Scale scale) { return {"iteration", scale, {}, {}, true}; }
+
+}  // namespace
+
+std::vector<Plot> convergence_plots(const Report& report) {
+    std::vector<Plot> plots;
+    const auto& steps = report.run.steps;
+    if (!steps.empty()) {
+        Plot plot{"Displacement, tolerance, annulus width",
+                  iteration_axis(Scale::log10),
+                  {"mean over vertices (mean spacings)", Scale::log10, {}, {}, false},
+                  {}};
+        add_measured(plot.series, "displacement", steps,
+                     [](const Iteration_record& s) { return std::optional<double>(s.displacement_mean); });
+        add_measured(plot.series, "tolerance", steps, [](const Iteration_record& s) { return s.tolerance_mean; });
+        add_measured(plot.series, "annulus width", steps,
+                     [](const Iteration_record& s) { return s.annulus_width_mean; });
+        plots.push_back(std::move(plot));
+    }
+    if (!report.annulus_widths.empty()) {
+        const bool logarithmic = report.annulus_widths.front().widths.logarithmic();
+        Plot plot{"Distribution of standard annulus widths",
+                  {"standard annulus width (mean spacings)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, true},
+                  {"bi-cells in a bin (%)", Scale::linear, 0., {}, false},
+                  {}};
+        for (const Width_distribution& d : report.annulus_widths)
+            plot.series.push_back(histogram_series("iteration " + grouped(d.iteration), d.widths));
+        plots.push_back(std::move(plot));
+    }
+    return plots;
+}
+
+std::vector<Plot> cost_plots(const Run_record& run) {
+    std::vector<Plot> plots;
+    if (run.steps.empty()) return plots;
+    // A strategy without tolerances would show a constant 100 %.
+    if (run.moves.within_tolerance > 0) {
+        Plot plot{"Moves beyond their tolerance",
+                  iteration_axis(Scale::log10),
+                  {"moves beyond tolerance (%)", Scale::linear, 0., {}, false},
+                  {}};
+        plot.series.push_back(over_iterations("", run.steps, [](const Iteration_record& s) -> std::optional<double> {
+            if (s.moves.asked == 0) return std::nullopt;
+            const double within = static_cast<double>(s.moves.within_tolerance) / static_cast<double>(s.moves.asked);
+            return 100 * (1 - within);
+        }));
+        plots.push_back(std::move(plot));
+    }
+    Plot plot{
+        "Time for each step", iteration_axis(Scale::log10), {"time a step (ms)", Scale::log10, {}, {}, false}, {}};
+    plot.series.push_back(over_iterations("triangulation", run.steps, [](const Iteration_record& s) {
+        return std::optional<double>(1e3 * s.seconds_triangulation);
+    }));
+    if (run.seconds.motion > 0)
+        plot.series.push_back(over_iterations("motion", run.steps, [](const Iteration_record& s) {
+            return std::optional<double>(1e3 * s.seconds_motion);
+        }));
+    plots.push_back(std::move(plot));
+    return plots;
+}
+
+std::vector<Plot> mesh_plots(const Run_record& run) {
+    if (!run.mesh_before) return {};
+    const auto angles = [](std::string name, const Mesh_step& mesh) {
+        Series series{std::move(name), {0}, {}, true};
+        double sum = 0;
+        for (const std::uint64_t n : mesh.dihedral) sum += static_cast<double>(n);
+        for (const std::uint64_t n : mesh.dihedral) {
+            series.x.push_back(5 * static_cast<double>(series.x.size()));
+            series.y.push_back(sum > 0 ? 100 * static_cast<double>(n) / sum : 0);
+        }
+        return series;
+    };
+    Plot dihedral{"Dihedral angles",
+                  {"dihedral angle (degrees)", Scale::linear, 0., 180., true},
+                  {"angles in a bin of 5 degrees (%)", Scale::linear, 0., {}, false},
+                  {angles("before", *run.mesh_before)}};
+    if (!run.steps.empty() && run.steps.back().mesh) dihedral.series.push_back(angles("after", *run.steps.back().mesh));
+    std::vector<Plot> plots{dihedral};
+    Plot slivers{
+        "Slivers", iteration_axis(Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
+    Plot locked{"Locked vertices", iteration_axis(Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
+    const auto share = [](std::uint64_t part, std::uint64_t all) {
+        return all > 0 ? 100 * static_cast<double>(part) / static_cast<double>(all) : 0;
+    };
+    add_measured(slivers.series, "", run.steps, [&](const Iteration_record& s) {
+        return s.mesh ? std::optional(share(s.mesh->slivers, s.mesh->cells)) : std::nullopt;
+    });
+    bool any = false;
+    for (const Iteration_record& s : run.steps) any = any || (s.mesh && s.mesh->locked > 0);
+    if (any)
+        add_measured(locked.series, "", run.steps, [&](const Iteration_record& s) {
+            return s.mesh ? std::optional(share(s.mesh->locked, s.mesh->vertices)) : std::nullopt;
+        });
+    for (Plot* plot : {&slivers, &locked})
+        if (!plot->series.empty()) plots.push_back(std::move(*plot));
+    return plots;
+}
+
+std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
+    std::vector<Series> curves;
+    for (const Run_record& run : comparison.runs)
+        add_measured(curves, run.strategy, run.steps,
+                     [](const Iteration_record& s) { return std::optional<double>(s.seconds_cumulative); });
+    if (curves.empty()) return {};
+    return {{"Cumulative time of each strategy",
+             iteration_axis(Scale::linear),
+             {"cumulative time (s)", Scale::linear, 0., {}, false},
+             curves},
+            {"Cumulative time of each strategy, logarithmic",
+             iteration_axis(Scale::log10),
+             {"cumulative time (s)", Scale::log10, {}, {}, false},
+             curves}};
+}
+
+}  // namespace annulus

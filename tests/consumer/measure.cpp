@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/measure/histogram.h>
+#include <annulus/measure/voronoi_volumes.h>
+#include <annulus/moving_mesh.h>
+
+#include <iostream>
+#include <vector>
+
+int main() {
+    const std::vector<annulus::Coordinates<2>> points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, 0}};
+    const std::vector<double> areas = annulus::Moving_mesh<2>(points).voronoi_volumes();
+    annulus::Histogram histogram = annulus::Histogram::linear(0, 4, 4);
+    histogram.add(areas);
+    std::cout << "consumer: the cell in the middle has the area " << areas[4] << "\n";
+    // The four others are unbounded.
+    return areas[4] == 2 && histogram.overflow() == 4 ? 0 : 1;
+}
