@@ -50,7 +50,6 @@ target_link_libraries(annulus-tool-apps PUBLIC annulus-tool-core nlohmann_json::
 
 function(annulus_program target library)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    target_compile_definitions(${target} PRIVATE ANNULUS_VERSION="${PROJECT_VERSION}")
     target_link_libraries(${target} PUBLIC ${library} CLI11::CLI11 annulus_warnings)
     target_compile_options(${target} PRIVATE ${annulus_compiled_quickly})
     annulus_unite(${target} ${target} "/cli/[a-z_0-9]*[.]cpp$")

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Trace {
     enum Event : std::uint64_t {
@@ -305,4 +305,4 @@ struct Trace {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // annulus._core: the compiled part of the Python package. The package documents it.
+#include <annulus/version.h>
+
 #include <module/errors.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
@@ -15,7 +17,7 @@ PYBIND11_MODULE(_core, m) {
     using namespace annulus::python;
     wait_at_the_end();
     m.doc() = "What is compiled of the package annulus; nothing here is for users.";
-    m.attr("version") = ANNULUS_VERSION;
+    m.attr("version") = ANNULUS_VERSION_STRING;
     m.def("in_main_interpreter", &in_main_interpreter);
     translate_errors();
     add_report(m);

@@ -172,7 +172,8 @@ ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t ve
 // Never NULL.
 ANNULUS_API const char* annulus_status_name(int status);
 
-// The version of the library, for example "0.1.0", and the ANNULUS_INTERFACE that it was built with.
+// The version of the library, for example "0.1.0", and the ANNULUS_INTERFACE that it was built with. Macros of the
+// headers' own version are in <annulus/version.h>.
 ANNULUS_API const char* annulus_version(void);
 ANNULUS_API int annulus_interface(void);
 

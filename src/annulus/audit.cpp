@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -169,4 +169,4 @@ Audit_result audit(std::span<const Coordinates<3>> points, std::span<const std::
     return audit_arrays<3>(points, cells, most_faults);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// An exact verdict on a triangulation made by any program: whether the cells are a Delaunay triangulation of the
 /// points. It is given as arrays, such as `points` and `simplices` of scipy.spatial.Delaunay: d + 1 indices into
@@ -35,4 +35,4 @@ namespace annulus {
 [[nodiscard]] Audit_result audit_unoriented(Audit_input<2>& input);
 [[nodiscard]] Audit_result audit_unoriented(Audit_input<3>& input);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

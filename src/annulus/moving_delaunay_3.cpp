@@ -2,9 +2,9 @@
 // The one translation unit of the library that compiles CGAL's 3D triangulation for callers without vertex info.
 #include <annulus/moving_delaunay_3.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template class Cgal_view<Cgal_traits_3<No_info>>;
 template class Moving_delaunay<Cgal_view_3<No_info>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <annulus/cgal/moving_delaunay.h>
 #include <annulus/cgal/view_3.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A moving Delaunay triangulation in 3D whose vertices carry the caller's Info: `dt.vertex(i)->info()`.
 template <class Info>
@@ -16,4 +16,4 @@ using Moving_delaunay_3 = Moving_delaunay_with_info_3<No_info>;
 extern template class Cgal_view<Cgal_traits_3<No_info>>;
 extern template class Moving_delaunay<Cgal_view_3<No_info>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <mutex>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 struct Moving_mesh<d>::Parts {
@@ -216,4 +216,4 @@ Strategy Moving_mesh<d>::strategy() const {
 template class Moving_mesh<2>;
 template class Moving_mesh<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 class Delaunay_mesh;
@@ -138,4 +138,4 @@ extern template class Moving_mesh<3>;
 using Moving_mesh_2 = Moving_mesh<2>;
 using Moving_mesh_3 = Moving_mesh<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

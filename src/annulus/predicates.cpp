@@ -17,7 +17,7 @@
 #include <tuple>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -196,4 +196,4 @@ void in_sphere(std::span<const std::array<Coordinates<3>, 5>> points, std::span<
     all<3, 5>(points, out);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The exact sign of a determinant of points, and how firmly it holds. Lengths are in the unit of the points.
 struct Certified_sign {
@@ -71,4 +71,4 @@ void orient_3d(std::span<const std::array<Coordinates<3>, 4>> points, std::span<
 void in_circle(std::span<const std::array<Coordinates<2>, 4>> points, std::span<Certified_sign> out);
 void in_sphere(std::span<const std::array<Coordinates<3>, 5>> points, std::span<Certified_sign> out);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,6 +3,8 @@
 // environments.
 #include "check.h"
 
+#include <annulus/version.h>
+
 #include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
@@ -309,6 +311,10 @@ int main(void) {
     CHECK(strcmp(annulus_status_name(ANNULUS_DUPLICATE_POINT), "duplicate point") == 0);
     CHECK(strcmp(annulus_status_name(-5), "unknown status") == 0);
     CHECK(annulus_interface() == ANNULUS_INTERFACE);
-    CHECK(strlen(annulus_version()) >= 5);
+    CHECK(strcmp(annulus_version(), ANNULUS_VERSION_STRING) == 0);
+    char numbers[40];
+    snprintf(numbers, sizeof numbers, "%d.%d.%d", ANNULUS_VERSION_MAJOR, ANNULUS_VERSION_MINOR, ANNULUS_VERSION_PATCH);
+    CHECK(strcmp(numbers, ANNULUS_VERSION_STRING) == 0);
+    CHECK(ANNULUS_VERSION / 10000 == ANNULUS_VERSION_MAJOR && ANNULUS_VERSION % 100 == ANNULUS_VERSION_PATCH);
     return verdict("refusals");
 }

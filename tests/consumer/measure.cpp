@@ -2,9 +2,17 @@
 #include <annulus/measure/histogram.h>
 #include <annulus/measure/voronoi_volumes.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/version.h>
 
 #include <iostream>
+#include <type_traits>
 #include <vector>
+
+#if ANNULUS_VERSION < 100
+#error "annulus/version.h is older than 0.1.0"
+#endif
+// Both spellings name one class.
+static_assert(std::is_same_v<annulus::Moving_mesh<2>, annulus::v1::Moving_mesh<2>>);
 
 int main() {
     const std::vector<annulus::Coordinates<2>> points{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, 0}};

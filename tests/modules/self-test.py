@@ -59,6 +59,8 @@ class CheckRooms(unittest.TestCase):
 
     def test_public_header_from_a_room(self):
         self.rejects("src/apps/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
+        self.assertEqual(self.check({"src/annulus/version.h": HEADER, "src/apps/motion/lloyd.cpp": SPDX
+                                     + "#include <annulus/version.h>\n"}).returncode, 0)
 
     def test_clients_from_a_public_header_and_from_one_another(self):
         self.rejects("src/annulus/other.h", HEADER + "#include <annulus/c/x.h>\n", 3)
@@ -72,6 +74,13 @@ class CheckRooms(unittest.TestCase):
         self.rejects("src/annulus/measure/x.cpp", SPDX + "#include <nlohmann/json.hpp>\n", 2)
         self.rejects("src/annulus/x.cpp", SPDX + "#include <png.h>\n", 2)
         self.rejects("src/annulus/c/x.cpp", SPDX + "#include <zlib.h>\n", 2)
+
+    def test_namespace_without_a_version(self):
+        self.rejects("src/annulus/predicate/x.cpp", SPDX + "\nnamespace annulus {\n}\n", 3)
+        self.rejects("src/apps/formats/x.cpp", SPDX + "namespace annulus::detail {\n}\n", 2)
+        good = SPDX + "namespace annulus::inline v1::detail {\n}\nnamespace annulus::inline v1 {\n}\n"
+        other = SPDX + "namespace annulus {\n}\n"
+        self.assertEqual(self.check({"src/annulus/predicate/x.cpp": good, "tests/x.cpp": other}).returncode, 0)
 
     def test_quoted_include(self):
         self.rejects("src/annulus/predicate/x.cpp", SPDX + '#include "../cli/x.h"\n', 2)

@@ -17,12 +17,14 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 class Delaunay_mesh;
 
-namespace testing {
+}  // namespace annulus::inline v1
+
+namespace annulus::testing {
 
 /// A finite bi-cell: its facet, and the two vertices on either side. In 2D the edge a b, p right of it and q left.
 template <int d>
@@ -108,5 +110,4 @@ extern template class Viewed_mesh<3>;
 using Viewed_mesh_2 = Viewed_mesh<2>;
 using Viewed_mesh_3 = Viewed_mesh<3>;
 
-}  // namespace testing
-}  // namespace annulus
+}  // namespace annulus::testing

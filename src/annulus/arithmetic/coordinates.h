@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Position of a point in R^d, in the caller's unit of length: plain doubles, no invariant.
 template <int d>
@@ -22,4 +22,4 @@ inline constexpr Index infinite = -1;
 /// No vertex at all, not even infinity: pads arrays that have more entries than vertices.
 inline constexpr Index none = -2;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

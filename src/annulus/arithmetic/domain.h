@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The coordinate domain: every finite double of magnitude at most 2^500, subnormals and zeros included.
 ///
@@ -55,4 +55,4 @@ inline void require_in_domain(const std::array<double, d>& x, const char* whose,
     throw Error(Error_code::out_of_domain, of + " is larger than 2^500 in magnitude", {i});
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

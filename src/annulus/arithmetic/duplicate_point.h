@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The error "points 3 and 15 have the same position" or "vertices 3 and 15 would have the same position", with both
 /// indices.
@@ -19,4 +19,4 @@ namespace annulus {
             {first, second}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cfenv>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -78,4 +78,4 @@ void require_sound_environment() {
         throw Error(Error_code::environment, "floating-point environment: " + fault);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

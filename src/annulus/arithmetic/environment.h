@@ -20,7 +20,7 @@
 static_assert(0.1 != static_cast<double>(0.1F),
               "annulus: -fsingle-precision-constant rounds constants to float; compile without it");
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Empty when the floating-point unit of the calling thread behaves as the proofs assume; otherwise a description of
 /// the first difference.
@@ -34,4 +34,4 @@ namespace annulus {
 /// Throws Error(environment) with the text of environment_fault() unless that is empty.
 void require_sound_environment();
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What went wrong. Every exception the library throws on purpose is an `annulus::Error` with one of these.
 enum class Error_code {
@@ -50,4 +50,4 @@ class Error : public std::runtime_error {
     std::array<std::int64_t, 2> vertices_{};
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Scaled_integers::Scaled_integers(std::span<const double> x) {
     std::vector<int> exponents(x.size());
@@ -81,4 +81,4 @@ bool is_at_least(const mpz_class& numerator, const mpz_class& a, const mpz_class
     return sgn(r) >= 0 && 4 * z2 * z2 * a * b <= r * r;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

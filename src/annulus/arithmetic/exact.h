@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// a - b as a number. The difference of two mpz_class is an expression that refers to its operands instead.
 struct Exact_minus {
@@ -44,4 +44,4 @@ struct Scaled_integers {
 [[nodiscard]] bool is_at_least(const mpz_class& numerator, const mpz_class& a, const mpz_class& b, long exponent,
                                double y);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

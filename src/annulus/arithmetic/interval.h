@@ -10,7 +10,7 @@
 #include <concepts>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The one Boost.Interval policy of the library: every operation assumes that the rounding mode is already upward.
 ///
@@ -37,4 +37,4 @@ template <Multipliable T>
     return x * x;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Every limit that a run can reach. What happens there is tested by a second build of the library, which passes each
 /// limit many times in a second (Tiny_limits, chosen by the macro ANNULUS_TINY_LIMITS).
@@ -54,4 +54,4 @@ using Limits = Tiny_limits;
 using Limits = Wide_limits;
 #endif
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <cfenv>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Sets the rounding mode of the calling thread and restores the previous one at the end of the scope.
 ///
@@ -32,4 +32,4 @@ class Rounding_guard {
     int previous_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The stage of the filtered predicate that gave an answer, cheapest first.
 enum class Stage : std::uint8_t {
@@ -36,4 +36,4 @@ struct Stage_counts {
     friend bool operator==(const Stage_counts&, const Stage_counts&) = default;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

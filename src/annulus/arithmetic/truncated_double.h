@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The upper half of a double, for values that are stored for every vertex or certificate and read at every step: half
 /// the memory traffic. It has the range of a double and 21 significant bits; construction rounds towards 0.
@@ -41,4 +41,4 @@ class Truncated_double {
     std::uint32_t bits_ = 0;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 using Int128 = __int128;
 using Unsigned128 = unsigned __int128;
@@ -82,4 +82,4 @@ template <std::size_t N, std::size_t M>
              static_cast<std::uint64_t>(static_cast<Unsigned128>(x) >> 64)}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

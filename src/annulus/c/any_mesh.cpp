@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 namespace {
 
@@ -102,4 +102,4 @@ std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t 
     return std::make_unique<Mesh_of<3>>(x, points, options);
 }
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 /// Cells as plain numbers, dimension + 1 per cell; valid as long as this object exists.
 struct Cells {
@@ -65,4 +65,4 @@ class Any_mesh {
 [[nodiscard]] std::unique_ptr<Any_mesh> make_mesh(int dimension, const double* x, std::size_t points,
                                                   const Options& options);
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 namespace {
 
@@ -85,4 +85,4 @@ void require_count(std::size_t count, const char* of) {
         throw Refused(ANNULUS_WRONG_SIZE, std::to_string(count) + ' ' + of + " are more than memory can hold");
 }
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 /// Thrown for a call that this interface refuses, before anything has changed.
 class Refused : public std::runtime_error {
@@ -94,7 +94,7 @@ inline void require(const void* array, std::size_t count, const char* name) {
 /// overflow.
 void require_count(std::size_t count, const char* of);
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c
 
 /// The handle.
 struct annulus_mesh {
@@ -103,7 +103,7 @@ struct annulus_mesh {
     mutable annulus::c::Last_error error;
 };
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 /// The same for a call on a mesh; refuses a NULL mesh.
 template <class Mesh, class Call>
@@ -112,4 +112,4 @@ int guarded(Mesh* mesh, const Call& call) noexcept {
     return guarded(mesh->error, [&] { call(*mesh); });
 }
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

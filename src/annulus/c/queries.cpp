@@ -3,6 +3,7 @@
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
+#include <annulus/version.h>
 
 #include <algorithm>
 
@@ -70,7 +71,7 @@ const char* annulus_status_name(int status) {
     }
 }
 
-const char* annulus_version(void) { return ANNULUS_VERSION; }
+const char* annulus_version(void) { return ANNULUS_VERSION_STRING; }
 int annulus_interface(void) { return ANNULUS_INTERFACE; }
 
 int annulus_dimension(const annulus_mesh* mesh, int* dimension) {

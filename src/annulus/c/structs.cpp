@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/c/structs.h>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 namespace {
 
@@ -78,4 +78,4 @@ void write_audit(annulus_audit_result* to, const Audit_result& verdict) {
     write_struct(to, r);
 }
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

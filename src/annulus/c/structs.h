@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace annulus::c {
+namespace annulus::inline v1::c {
 
 /// Throws Refused unless the size is plausible for this or a later version: from `least` to a bound that no version
 /// will reach.
@@ -36,4 +36,4 @@ void write_audit(annulus_audit_result* to, const Audit_result& verdict);
 /// changed: the number of entries of Move_report::changed, d + 1 per cell.
 void write_report(annulus_report* to, const Move_report& done, int dimension, std::size_t changed);
 
-}  // namespace annulus::c
+}  // namespace annulus::inline v1::c

@@ -10,7 +10,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A Delaunay triangulation that is kept right while its vertices move.
 ///
@@ -249,4 +249,4 @@ class Moving_delaunay {
     std::unique_ptr<View> view_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

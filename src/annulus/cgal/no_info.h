@@ -3,9 +3,9 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The vertex info of a triangulation without any.
 struct No_info {};
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/cgal/types_2.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What Cgal_view uses of CGAL's 2D triangulation. Its cells are faces.
 template <class Info>
@@ -30,4 +30,4 @@ struct Cgal_traits_2 {
     static void delete_cell(Tds& tds, Cell_handle c) { tds.delete_face(c); }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

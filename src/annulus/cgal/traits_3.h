@@ -3,7 +3,7 @@
 
 #include <annulus/cgal/types_3.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What Cgal_view uses of CGAL's 3D triangulation.
 template <class Info>
@@ -30,4 +30,4 @@ struct Cgal_traits_3 {
     static void delete_cell(Tds& tds, Cell_handle c) { tds.delete_cell(c); }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

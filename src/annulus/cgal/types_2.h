@@ -13,7 +13,7 @@
 
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -60,4 +60,4 @@ template <class Info>
 using Delaunay_2 = CGAL::Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Indexed_vertex_base_2<Info, Kernel>, Indexed_face_base_2<Kernel>>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

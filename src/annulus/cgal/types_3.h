@@ -13,7 +13,7 @@
 
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
@@ -60,4 +60,4 @@ template <class Info>
 using Delaunay_3 = CGAL::Delaunay_triangulation_3<
     Kernel, CGAL::Triangulation_data_structure_3<Indexed_vertex_base_3<Info, Kernel>, Indexed_cell_base_3<Kernel>>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

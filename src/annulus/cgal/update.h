@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <class Traits>
 Cgal_view<Traits>::Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x) : mesh_(mesh) {
@@ -216,4 +216,4 @@ void Cgal_view<Traits>::write_vertices() const {
     other.tds().set_dimension(-2);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A mesh as a CGAL triangulation: a copy, brought up to date on request. Traits is Cgal_traits_2<Info> or
 /// Cgal_traits_3<Info>.
@@ -108,7 +108,7 @@ class Cgal_view {
     mutable State state_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1
 
 #include <annulus/cgal/update.h>
 #include <annulus/cgal/view_audit.h>

@@ -4,9 +4,9 @@
 #include <annulus/cgal/traits_3.h>
 #include <annulus/cgal/view.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <class Info>
 using Cgal_view_3 = Cgal_view<Cgal_traits_3<Info>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

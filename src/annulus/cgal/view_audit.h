@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace detail {
 
@@ -130,4 +130,4 @@ bool Cgal_view<Traits>::audit(std::span<const Coordinates<d>> x, Audit_result& r
     return true;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What a step may cost and has cost so far, in cells tested (cost_model.h). It is passed down to the functions that
 /// spend it. It decides when to give up; correctness never depends on it.
@@ -18,4 +18,4 @@ struct Budget {
     [[nodiscard]] double left() const { return limit - spent; }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

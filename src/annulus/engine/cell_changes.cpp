@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -87,4 +87,4 @@ void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_report& repor
 template class Cell_changes<2>;
 template class Cell_changes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Lists the cells that come and go during its lifetime. The table records what it changes (Change_log); cells of
 /// lower dimension are listed before and after.
@@ -39,4 +39,4 @@ class Cell_changes {
 extern template class Cell_changes<2>;
 extern template class Cell_changes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Certificate_checker<d>::begin(std::span<const Coordinates<d>> x) {
@@ -122,4 +122,4 @@ void Certificate_checker<d>::add_cells(std::span<const Cell_index> cells) {
 template class Certificate_checker<2>;
 template class Certificate_checker<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Certificates that are not known to hold at given positions, and the values of those that have been evaluated.
 ///
@@ -109,4 +109,4 @@ class Certificate_checker {
 extern template class Certificate_checker<2>;
 extern template class Certificate_checker<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -13,7 +13,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -119,4 +119,4 @@ bool Certificate_checker<d>::all_hold() const {
 template class Certificate_checker<2>;
 template class Certificate_checker<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

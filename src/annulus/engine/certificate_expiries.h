@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // Ids of facets and cells in one numbering.
 static_assert(Wide_limits::cells <= Index{1} << 29, "the greatest corner, twice, is below the reserved id");
@@ -109,4 +109,4 @@ class Certificate_expiries {
     By_cell<Cell> corner_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -15,7 +15,7 @@
 #endif
 #define ANNULUS_INLINE ANNULUS_AVX2 __attribute__((always_inline)) inline
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -177,4 +177,4 @@ template std::size_t clear_cells(const Corner_table<2>&, std::span<const Coordin
 template std::size_t clear_cells(const Corner_table<3>&, std::span<const Coordinates<3>>, Cell_index, Cell_index,
                                  std::vector<Cell_index>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

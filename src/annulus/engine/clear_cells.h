@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether clear_cells() may be called and pays: the processor has AVX2.
 [[nodiscard]] bool has_fast_clear_cells();
@@ -19,4 +19,4 @@ template <int d>
 [[nodiscard]] std::size_t clear_cells(const Corner_table<d>& table, std::span<const Coordinates<d>> x, Cell_index first,
                                       Cell_index last, std::vector<Cell_index>& rest);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What work costs, in cells that are tested with all others (Sign_evaluator::test_all_cells, four at a time): 10 ns
 /// each in 3D and 6 ns in 2D on one machine. The ratios were measured there (bench/README.md). Correctness does not
@@ -69,4 +69,4 @@ struct Cost_model<3> {
 inline constexpr double interval_evaluation_cost = 35.0;
 inline constexpr double exact_evaluation_cost = 470.0;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// |a - b|^2 rounded to nearest at every step: at most 1 + 6u times the truth, unless it underflows below 2^-1022.
 template <int d>
@@ -49,4 +49,4 @@ template <int d>
     return s + s * 0x1p-52;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Displacement_budget<d>::drop() noexcept {
@@ -78,4 +78,4 @@ bool Displacement_budget<d>::find_failed(std::span<const Coordinates<d>> x, std:
 template class Displacement_budget<2>;
 template class Displacement_budget<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

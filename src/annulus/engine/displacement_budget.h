@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The displacement budget of every vertex: what is left of the tolerances of a mesh whose certificates were
 /// evaluated at different times.
@@ -118,4 +118,4 @@ class Displacement_budget {
 extern template class Displacement_budget<2>;
 extern template class Displacement_budget<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

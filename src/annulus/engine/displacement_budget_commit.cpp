@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr Expiry never = Expiry::never();
@@ -128,4 +128,4 @@ void Displacement_budget<d>::commit_fresh(const Certificate_checker<d>& checker)
 template class Displacement_budget<2>;
 template class Displacement_budget<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

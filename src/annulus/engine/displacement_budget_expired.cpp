@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Tests one certificate of v, which is anchored: it has expired and becomes pending, or it returns to the list.
 template <int d>
@@ -129,4 +129,4 @@ void Displacement_budget<d>::undo(const Step<d>& step) {
 template class Displacement_budget<2>;
 template class Displacement_budget<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -14,7 +14,7 @@
 #include <map>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Engine<d>::Engine(Delaunay_mesh<d>& mesh, const Options& options, std::unique_ptr<Update_strategy<d>> strategy)
@@ -243,4 +243,4 @@ Audit_input<d> Engine<d>::audit_input() const {
 template class Engine<2>;
 template class Engine<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

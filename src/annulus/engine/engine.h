@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 class Update_strategy;
@@ -97,4 +97,4 @@ class Engine {
 extern template class Engine<2>;
 extern template class Engine<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

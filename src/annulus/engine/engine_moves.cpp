@@ -13,7 +13,7 @@
 #include <functional>
 #include <numeric>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Move_report Engine<d>::move(Index i, const Point& p) {
@@ -272,4 +272,4 @@ void Engine<d>::move_sequentially(std::span<const Point> x, Move_report& report)
 template class Engine<2>;
 template class Engine<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

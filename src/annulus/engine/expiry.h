@@ -6,7 +6,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The path length at which a certificate expires, rounded down: too low by at most 2^-20 of the path length. This
 /// costs an evaluation now and then, but never changes an answer. Non-negative.
@@ -38,4 +38,4 @@ class Expiry {
     Truncated_double half_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The number of a certificate in an expiry list.
 using Certificate_id = std::uint32_t;
@@ -127,4 +127,4 @@ class alignas(capacity == 6 ? 64 : 32) Expiry_list {  // a cache line, or one an
 };
 static_assert(sizeof(Expiry_list<Wide_limits::listed(2)>) == 64 && sizeof(Expiry_list<Wide_limits::listed(3)>) == 96);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

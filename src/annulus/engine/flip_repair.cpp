@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr int most_rounds = 64;
@@ -174,4 +174,4 @@ const Repair_result& Flip_repair<d>::repair(const Motion_path<d>& path, Budget& 
 template class Flip_repair<2>;
 template class Flip_repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The result of a repair.
 struct Repair_result {
@@ -110,4 +110,4 @@ bool Flip_repair<3>::flip(Corner_index h);
 extern template class Flip_repair<2>;
 extern template class Flip_repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -42,4 +42,4 @@ bool Flip_repair<2>::untangle(Cell_index c) {
     return false;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

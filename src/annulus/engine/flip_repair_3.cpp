@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One of the two triangulations of five points is locally Delaunay: 2-3 where the edge of the opposite vertices
 /// crosses the facet, 3-2 where it passes outside (pictures: flip_repair.h). Where four of the points are coplanar,
@@ -71,4 +71,4 @@ bool Flip_repair<3>::untangle(Cell_index c) {
     return false;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Makes a call that changes something. If it throws anything but an Error that is thrown before any change, the
 /// triangulation is rebuilt at the previous positions. `fresh` is the index that the call inserts, if any.
@@ -42,4 +42,4 @@ void Engine<d>::guarded_moves(std::span<const Index> movers, std::span<const Poi
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The way of the vertices that move.
 template <int d>
@@ -163,4 +163,4 @@ void Held_back<d>::release(Moved moved) {
     held_.clear();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Makes a call and, if requested, lists the cells that it changed. `movers` are the vertices whose positions the
 /// call writes. When there is no memory for the list, their positions are restored, and the caller rebuilds.
@@ -28,4 +28,4 @@ void Engine<d>::listing_changes(Move_report& report, std::span<const Index> move
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts& moves) {
@@ -39,4 +39,4 @@ void Move_outcomes<d>::count(const Step<d>& step, std::size_t asked, Move_counts
 template class Move_outcomes<2>;
 template class Move_outcomes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Counts what became of the vertices that were to move, each once.
 template <int d>
@@ -24,4 +24,4 @@ class Move_outcomes {
 extern template class Move_outcomes<2>;
 extern template class Move_outcomes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What became of the vertices that a call was to move; the last five add up to the first.
 struct Move_counts {
@@ -70,4 +70,4 @@ struct Move_report {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Two vertices at one position among x[i] with is_present(i); -0 and 0 are one position. O(n log n).
 template <int d, class Is_present>
@@ -47,4 +47,4 @@ template <int d, class Is_present>
     throw;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/options.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::optional<Strategy> strategy_named(std::string_view name) {
     for (const Strategy s :
@@ -17,4 +17,4 @@ std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name) {
     return std::nullopt;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How the triangulation is kept right.
 enum class Strategy : std::uint8_t {
@@ -53,4 +53,4 @@ struct Options {
     std::uint64_t seed = 0;         ///< of the sample that `paper_hybrid` draws
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Decides whether `auto` rebuilds or repairs a time step: by a sample of cells before it, by what repair cost, and
 /// by how it ended. No clock is read, and correctness does not depend on the decision.
@@ -94,4 +94,4 @@ class Rebuild_policy {
     double gave_up_at_ = 0.0;  // what it had said when repair gave up; 0 if others had been repaired before
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

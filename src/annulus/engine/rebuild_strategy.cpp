@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Rebuild_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
@@ -41,4 +41,4 @@ void Rebuild_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
 template class Rebuild_strategy<2>;
 template class Rebuild_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

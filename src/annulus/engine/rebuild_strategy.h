@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The strategy `rebuild`: keeps positions, and rebuilds the mesh at every call. Base of the strategies that change
 /// the mesh in other ways and keep nothing but positions.
@@ -56,4 +56,4 @@ class Rebuild_strategy : public Update_strategy<d> {
 extern template class Rebuild_strategy<2>;
 extern template class Rebuild_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

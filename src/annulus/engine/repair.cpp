@@ -10,7 +10,7 @@
 #include <iterator>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -201,4 +201,4 @@ bool Repair<d>::holds_after_flips(Step<d>& step, const Repair_result& result) {
 template class Repair<2>;
 template class Repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Makes every certificate hold at the targets of a step: it evaluates, repairs what is violated (Flip_repair), and
 /// reinserts a vertex that moved alone. Or it reports that it cannot, and the caller rebuilds. What it finds and
@@ -83,4 +83,4 @@ class Repair {
 extern template class Repair<2>;
 extern template class Repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -53,4 +53,4 @@ bool Repair<d>::is_occupied(Step<d>& step) {
 template class Repair<2>;
 template class Repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Leaves on the lists what does not hold.
 template <int d>
@@ -47,4 +47,4 @@ bool Repair<d>::evaluate_star(Step<d>& step) {
 template class Repair<2>;
 template class Repair<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

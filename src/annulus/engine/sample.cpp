@@ -4,7 +4,7 @@
 #include <annulus/mesh/certificates.h>
 #include <annulus/predicate/filtered.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -47,4 +47,4 @@ Sample sample_cells(const Corner_table<d>& t, std::span<const Coordinates<d>> x,
 template Sample sample_cells<2>(const Corner_table<2>&, std::span<const Coordinates<2>>, std::size_t);
 template Sample sample_cells<3>(const Corner_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

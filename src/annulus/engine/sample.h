@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What the filter stage finds in some cells and their facets, at positions to which the triangulation may not
 /// belong.
@@ -25,4 +25,4 @@ template <int d>
 extern template Sample sample_cells<2>(const Corner_table<2>&, std::span<const Coordinates<2>>, std::size_t);
 extern template Sample sample_cells<3>(const Corner_table<3>&, std::span<const Coordinates<3>>, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -225,4 +225,4 @@ double Sign_evaluator<d>::estimate() {
 template class Sign_evaluator<2>;
 template class Sign_evaluator<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Tests which certificates hold at given positions, by signs alone: one circumsphere per cell, tested for the cell
 /// and its facets, and exact signs where this is not clear.
@@ -97,4 +97,4 @@ class Sign_evaluator {
 extern template class Sign_evaluator<2>;
 extern template class Sign_evaluator<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

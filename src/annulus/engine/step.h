@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Which certificates a step evaluates: those that expired; or, without tolerances, all those of the vertex that
 /// moves, or all.
@@ -82,4 +82,4 @@ struct Step {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

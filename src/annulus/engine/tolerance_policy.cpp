@@ -7,7 +7,7 @@
 #include <cmath>
 #include <new>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr std::uint64_t check_interval = 8;  // time steps without tolerances, between checks whether they would pay
@@ -124,4 +124,4 @@ void Tolerance_policy<d>::note_dropped() {
 template class Tolerance_policy<2>;
 template class Tolerance_policy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

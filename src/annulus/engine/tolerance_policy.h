@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Decides whether `tolerances` keeps tolerances or evaluates signs alone, by what steps cost and what a sample
 /// predicts, in cells tested (cost_model.h). Correctness does not depend on the decision.
@@ -73,4 +73,4 @@ class Tolerance_policy {
 extern template class Tolerance_policy<2>;
 extern template class Tolerance_policy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Of vertices [first, last): those that left their tolerances or, without tolerances, those that move. False when a
 /// coordinate is outside the domain, even at a free index.
@@ -208,4 +208,4 @@ void Tolerance_strategy<d>::renew_renumbered(const Step<d>& step) {
 template class Tolerance_strategy<2>;
 template class Tolerance_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

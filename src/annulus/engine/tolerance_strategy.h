@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The strategies that repair the mesh: `tolerances`, `auto`, `tolerances-each`, `in-place`.
 ///
@@ -158,4 +158,4 @@ class Tolerance_strategy final : public Update_strategy<d> {
 extern template class Tolerance_strategy<2>;
 extern template class Tolerance_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <new>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Tolerance_strategy<d>::resize() {
@@ -235,4 +235,4 @@ void Tolerance_strategy<d>::rebuild(Step<d>& step) {
 template class Tolerance_strategy<2>;
 template class Tolerance_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

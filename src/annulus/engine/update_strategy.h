@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// An update strategy: owns the positions of the vertices and keeps the triangulation right at them.
 ///
@@ -92,4 +92,4 @@ class Update_strategy {
     Strategy strategy_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/truncated_double.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What a step reads of every vertex to test whether it left its tolerance.
 template <int d>
@@ -13,4 +13,4 @@ struct Vertex_record {
     Truncated_double threshold;  ///< of the squared displacement |moving - fixed|^2
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

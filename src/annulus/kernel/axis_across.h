@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// An axis along which three points do not appear collinear; nothing if they are collinear. Exact.
 [[nodiscard]] inline std::optional<std::size_t> axis_across(const Coordinates<3>& p, const Coordinates<3>& a,
@@ -19,4 +19,4 @@ namespace annulus {
     return std::nullopt;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A facet of a cell, its corners in a standard order, with the side of it that the cell is on.
 template <int d>
@@ -82,4 +82,4 @@ void Border_facets<d>::index(Twice twice) {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

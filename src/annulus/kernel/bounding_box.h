@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The smallest axis-parallel box around points of x.
 template <int d>
@@ -43,4 +43,4 @@ struct Bounding_box {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index> vertices, int threads) {
@@ -95,4 +95,4 @@ void Builder<d>::find_parts(std::span<const Rank> pending, std::size_t last, std
 template class Builder<2>;
 template class Builder<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

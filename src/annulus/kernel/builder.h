@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /*
        b-----c                      b-----c
@@ -106,4 +106,4 @@ void Builder<d>::for_each_cell(Visit visit) const {
 extern template class Builder<2>;
 extern template class Builder<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr std::size_t run = 1U << 14;  // vertices, or cells, that a thread takes at once
@@ -146,4 +146,4 @@ void Builder<d>::copy_to(Corner_table<d>& table, std::size_t bound, int threads)
 template class Builder<2>;
 template class Builder<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

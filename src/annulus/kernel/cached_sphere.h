@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The circumsphere of a cell, stored with it. A point is then tested by d multiplications with stored values, without
 /// a determinant of the cell. 2D and 3D share the formula.
@@ -132,4 +132,4 @@ template <int d>
     return s;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

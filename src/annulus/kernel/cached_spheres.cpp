@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #endif
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -127,4 +127,4 @@ void cached_spheres(Cells& cells, std::span<const std::uint32_t> made) {
     one_by_one(cells, made);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

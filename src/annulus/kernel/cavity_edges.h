@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Finds neighbours among the new cells {v, facet of the border} in 3D: two of them share a facet when their border
 /// facets share an edge, in opposite directions. The vertices are renumbered for each insertion, so that a directed
@@ -83,4 +83,4 @@ class Cavity_edges {
     std::vector<Slot> many_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

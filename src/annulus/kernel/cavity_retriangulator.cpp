@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr int most_rounds = 40;
@@ -224,4 +224,4 @@ bool Cavity_retriangulator<d>::has_every_vertex() const {
 template class Cavity_retriangulator<2>;
 template class Cavity_retriangulator<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

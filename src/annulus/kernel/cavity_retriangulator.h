@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 class Builder;
@@ -98,4 +98,4 @@ class Cavity_retriangulator {
 extern template class Cavity_retriangulator<2>;
 extern template class Cavity_retriangulator<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

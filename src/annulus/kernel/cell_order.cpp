@@ -4,7 +4,7 @@
 #include <atomic>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::size_t Cell_order<d>::group(const Cells& cells, int threads) {
 template class Cell_order<2>;
 template class Cell_order<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Puts the cells of a finished triangulation in an order that depends only on the triangulation and on ranks, not on
 /// which thread made them when: by the largest rank of a vertex, then by the others. Slot 0 has the vertex of the
@@ -153,4 +153,4 @@ void Cell_order<d>::number_group(const Cells& cells, std::size_t first, std::siz
 extern template class Cell_order<2>;
 extern template class Cell_order<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Leaves elements of trivial types uninitialised when a vector grows, which saves a pass over memory.
 template <class T>
@@ -36,4 +36,4 @@ class Default_init_allocator : public std::allocator<T> {
 template <class T>
 using Default_init_vector = std::vector<T, Default_init_allocator<T>>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Delaunay_mesh<d>::Delaunay_mesh() : builder_(std::make_unique<Builder<d>>()) {}
@@ -217,4 +217,4 @@ bool Delaunay_mesh<d>::reinsert(std::span<Coordinates<d>> positions, Index v, co
 template class Delaunay_mesh<2>;
 template class Delaunay_mesh<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

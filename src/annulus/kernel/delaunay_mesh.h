@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A Delaunay triangulation: which indices are vertices, and the cells, which are stored only in a Corner_table. This
 /// class builds it and inserts and removes vertices; the engine changes the table by flips.
@@ -126,4 +126,4 @@ class Delaunay_mesh {
 extern template class Delaunay_mesh<2>;
 extern template class Delaunay_mesh<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const {
@@ -71,4 +71,4 @@ ANNULUS_INSTANTIATE(2)
 ANNULUS_INSTANTIATE(3)
 #undef ANNULUS_INSTANTIATE
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

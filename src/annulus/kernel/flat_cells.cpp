@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -118,4 +118,4 @@ ANNULUS_FLAT(2)
 ANNULUS_FLAT(3)
 #undef ANNULUS_FLAT
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The Delaunay triangulation of vertices that lie in a hyperplane, and of infinity: segments between neighbours on a
 /// line, or triangles in a plane in 3D; each facet of the hull makes a cell with infinity. All cells have the same
@@ -40,4 +40,4 @@ ANNULUS_FLAT(2)
 ANNULUS_FLAT(3)
 #undef ANNULUS_FLAT
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

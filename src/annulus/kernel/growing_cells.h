@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A triangulation while Builder makes it. Vertices are ranks in the order of insertion; the last rank is infinity. A
 /// cell is one line of 64 bytes with its sphere. Memory is kept from one build to the next.
@@ -100,4 +100,4 @@ constexpr auto facing() {
     else return std::array<std::array<std::uint8_t, 3>, 4>{{{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

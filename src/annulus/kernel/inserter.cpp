@@ -13,7 +13,7 @@
 #include <string>
 #include <tuple>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -203,4 +203,4 @@ bool Inserter<d>::claim_block() {
 template class Inserter<2>;
 template class Inserter<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Inserts vertices into Growing_cells: locates the vertex by a walk from the last one inserted, finds the cells whose
 /// sphere holds it (the cavity), and replaces them by cells between the cavity's border and the vertex. Each thread
@@ -122,4 +122,4 @@ ANNULUS_INSERTER(2)
 ANNULUS_INSERTER(3)
 #undef ANNULUS_INSERTER
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

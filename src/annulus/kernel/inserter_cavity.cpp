@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <>
 void Inserter<3>::unmark() {
@@ -109,4 +109,4 @@ template bool Inserter<2>::find_cavity<true>(Rank, Cell);
 template bool Inserter<3>::find_cavity<false>(Rank, Cell);
 template bool Inserter<3>::find_cavity<true>(Rank, Cell);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <tuple>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr auto others_3 = facing<3>();
@@ -98,4 +98,4 @@ void Inserter<2>::fill(Rank v) {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -167,4 +167,4 @@ template std::optional<int> integer_orientation<3>(const std::array<Scaled_point
 template std::optional<bool> integer_sphere_holds<2>(const std::array<Scaled_point<2>, 4>&);
 template std::optional<bool> integer_sphere_holds<3>(const std::array<Scaled_point<3>, 5>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // The exact stage of the kernel: signs of determinants of integers of a fixed width, without heap memory. Points on
 // the unit sphere, lattices and the like are decided here; points that span too many bits are left to GMP.
@@ -41,4 +41,4 @@ extern template std::optional<int> integer_orientation<3>(const std::array<Scale
 extern template std::optional<bool> integer_sphere_holds<2>(const std::array<Scaled_point<2>, 4>&);
 extern template std::optional<bool> integer_sphere_holds<3>(const std::array<Scaled_point<3>, 5>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

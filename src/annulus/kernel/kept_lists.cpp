@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/kept_lists.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Precondition: this thread holds the lock.
 template <int d>
@@ -41,4 +41,4 @@ auto Kept_lists<d>::hull(Positions x) const -> std::shared_ptr<const Facets> {
 template class Kept_lists<2>;
 template class Kept_lists<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

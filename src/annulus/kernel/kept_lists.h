@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The lists of a mesh: cells, neighbours of vertices, hull. Each is made on request and kept until a cell is written
 /// to (Corner_table::writes); while all vertices are in a hyperplane, where the mesh has no cells, until the next call
@@ -57,4 +57,4 @@ class Kept_lists {
 extern template class Kept_lists<2>;
 extern template class Kept_lists<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <atomic>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Parallel_inserter<d>::insert(Inserter<d>& alone, std::span<const std::uint8_t> part, std::size_t parts,
@@ -98,4 +98,4 @@ void Parallel_inserter<d>::insert_in_partition(std::size_t k) {
 template class Parallel_inserter<2>;
 template class Parallel_inserter<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

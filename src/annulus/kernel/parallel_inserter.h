@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Inserts vertices by several threads at once, each within its own Thread_partition. Memory is kept from one call to
 /// the next.
@@ -48,4 +48,4 @@ class Parallel_inserter {
 extern template class Parallel_inserter<2>;
 extern template class Parallel_inserter<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

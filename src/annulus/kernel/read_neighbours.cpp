@@ -5,7 +5,7 @@
 #include <array>
 #include <iterator>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -61,4 +61,4 @@ void read_neighbours(const Delaunay_mesh<2>& mesh, std::span<const Coordinates<2
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -179,4 +179,4 @@ void Spatial_order<d>::sort(std::span<const Coordinates<d>> x, const Bounding_bo
 template class Spatial_order<2>;
 template class Spatial_order<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The order in which Builder inserts vertices. Memory is kept from one call to the next.
 ///
@@ -55,4 +55,4 @@ class Spatial_order {
 extern template class Spatial_order<2>;
 extern template class Spatial_order<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

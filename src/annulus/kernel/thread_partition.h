@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The cells that one of several threads may change in Growing_cells while others change the rest. Each finite vertex
 /// belongs to one thread; a cell belongs to the thread that all its finite vertices belong to.
@@ -26,4 +26,4 @@ struct Thread_partition {
     [[nodiscard]] bool has(std::uint32_t cell) const { return owner[cell] == own; }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

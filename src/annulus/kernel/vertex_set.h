@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The set of indices that are vertices. The other indices below the bound are free.
 class Vertex_set {
@@ -55,4 +55,4 @@ class Vertex_set {
     std::size_t size_ = 0;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -13,7 +13,7 @@
 #include <tuple>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A half width compared with thresholds: bit k for threshold k.
 struct Below_thresholds {
@@ -165,4 +165,4 @@ struct Simplex_batch : Certificate_batch<d, Id, Tuple<d, d + 1>> {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

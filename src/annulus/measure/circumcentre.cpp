@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -141,4 +141,4 @@ Circumcentre<d> circumcentre(const Corners<d>& x, double scale) {
 template Circumcentre<2> circumcentre(const Corners<2>&, double);
 template Circumcentre<3> circumcentre(const Corners<3>&, double);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

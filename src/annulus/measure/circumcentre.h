@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The centre of a cell's circumscribed circle or sphere, relative to the first vertex of the cell.
 template <int d>
@@ -66,4 +66,4 @@ struct Circumcentre_3 {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

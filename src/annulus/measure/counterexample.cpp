@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -80,4 +80,4 @@ Counterexample counterexample(double delta) {
     return r;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/predicate/certificate_value.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Five points in 3D at which the paper's tolerance is too large (docs/theory.md 3), moved by less than it: a and b on
 /// the axis, inside the unit sphere by delta; p, q and r around them at 120 degrees.
@@ -21,4 +21,4 @@ struct Counterexample {
 /// Tests the five points before and after the move, exactly. Throws Error(usage) unless 2^-40 <= delta <= 0.1.
 [[nodiscard]] Counterexample counterexample(double delta);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

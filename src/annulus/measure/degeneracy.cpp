@@ -13,7 +13,7 @@
 #include <numbers>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -246,4 +246,4 @@ Degeneracy degeneracy(const Corner_table<3>& t, std::span<const Coordinates<3>> 
     return Degeneracy_scan<3>(t, x, options).result();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A width below which a certificate counts as nearly degenerate.
 struct Threshold {
@@ -125,4 +125,4 @@ struct Degeneracy_options {
 [[nodiscard]] Degeneracy degeneracy(const Corner_table<3>& t, std::span<const Coordinates<3>> x,
                                     const Degeneracy_options<3>& options = {});
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::vector<double> quantiles(std::vector<double> samples, std::span<const doubl
     return result;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

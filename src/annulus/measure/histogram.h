@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Counts of samples in bins, and the smallest and largest sample, in the unit of the samples.
 ///
@@ -59,4 +59,4 @@ class Histogram {
 /// outside [0, 1], Error(too_few) without samples, Error(not_finite) when a sample is NaN.
 [[nodiscard]] std::vector<double> quantiles(std::vector<double> samples, std::span<const double> probabilities);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Neighbour_changes<d>::name(Index v, std::uint64_t id) {
@@ -62,4 +62,4 @@ std::vector<Neighbour_change> Neighbour_changes<d>::take() {
 template class Neighbour_changes<2>;
 template class Neighbour_changes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Two points that became neighbours, or no longer are.
 struct Neighbour_change {
@@ -53,4 +53,4 @@ class Neighbour_changes {
 extern template class Neighbour_changes<2>;
 extern template class Neighbour_changes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -188,4 +188,4 @@ Paper_verdict Paper_tolerance<d>::verdict(std::span<const Coordinates<d>> x) {
 template class Paper_tolerance<2>;
 template class Paper_tolerance<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The result of the comparison with the paper's tolerances.
 struct Paper_verdict {
@@ -78,4 +78,4 @@ class Paper_tolerance {
 extern template class Paper_tolerance<2>;
 extern template class Paper_tolerance<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

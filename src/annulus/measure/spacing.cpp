@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -52,4 +52,4 @@ double mean_spacing(const Corner_table<3>& t, std::span<const Coordinates<3>> x)
 double resolution(std::span<const Coordinates<2>> x) { return resolution_of<2>(x); }
 double resolution(std::span<const Coordinates<3>> x) { return resolution_of<3>(x); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Root of the content of the hull per vertex, in the unit of the points: a unit for thresholds, computed in doubles.
 /// Precondition: there are cells, and x has the positions of all vertices and no others. O(n).
@@ -16,4 +16,4 @@ namespace annulus {
 [[nodiscard]] double resolution(std::span<const Coordinates<2>> x);
 [[nodiscard]] double resolution(std::span<const Coordinates<3>> x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

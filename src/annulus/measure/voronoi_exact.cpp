@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -166,4 +166,4 @@ template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, const M
 template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index,
                                         std::span<const std::size_t>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// For the cell to the left of a facet: its corners except the opposite one, counter-clockwise seen from outside (in 2D
 /// from p to q with the cell on the left).
@@ -35,4 +35,4 @@ extern template double exact_voronoi_volume<2>(std::span<const Coordinates<2>>, 
 extern template double exact_voronoi_volume<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Index,
                                                std::span<const std::size_t>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <limits>
 #include <new>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -246,4 +246,4 @@ double Kept_voronoi_volumes<d>::exact_volume(Index v) const {
 template class Kept_voronoi_volumes<2>;
 template class Kept_voronoi_volumes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

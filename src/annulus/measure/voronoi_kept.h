@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The Voronoi volumes of one mesh, updated on request: only volumes that a moved vertex or a changed cell affects are
 /// recomputed, and the result is bit for bit that of voronoi_volumes of the mesh's cells.
@@ -65,4 +65,4 @@ class Kept_voronoi_volumes {
 extern template class Kept_voronoi_volumes<2>;
 extern template class Kept_voronoi_volumes<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

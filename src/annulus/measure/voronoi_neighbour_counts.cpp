@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& 
 template std::vector<Index> voronoi_neighbour_counts<2>(std::size_t, const Mesh_cells<2>&);
 template std::vector<Index> voronoi_neighbour_counts<3>(std::size_t, const Mesh_cells<3>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

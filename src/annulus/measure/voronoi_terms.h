@@ -49,7 +49,7 @@
 // `lost` covers all of it with 2^70 to spare. Products of two errors, which are left out, and the rounding of the bound
 // itself are less than 2^-40 of it; is_good() leaves a hundredth for that.
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The partial sum of a Voronoi cell, times 4 in 2D and 12 in 3D, and a bound of its error, in the unit of
 /// circumcentre().
@@ -206,4 +206,4 @@ class Voronoi_terms {
     std::span<Voronoi_sum> sum_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <limits>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::vector<double> voronoi_volumes(std::span<const Coordinates<d>> points, cons
 template std::vector<double> voronoi_volumes<2>(std::span<const Coordinates<2>>, const Mesh_cells<2>&, Voronoi_counts*);
 template std::vector<double> voronoi_volumes<3>(std::span<const Coordinates<3>>, const Mesh_cells<3>&, Voronoi_counts*);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The guarantee of voronoi_volumes: the relative error of every finite number.
 inline constexpr double voronoi_volume_error = 0x1p-33;
@@ -60,4 +60,4 @@ extern template std::vector<double> voronoi_volumes<3>(std::span<const Coordinat
 extern template std::vector<Index> voronoi_neighbour_counts<2>(std::size_t, const Mesh_cells<2>&);
 extern template std::vector<Index> voronoi_neighbour_counts<3>(std::size_t, const Mesh_cells<3>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The input of an audit: points and finite cells, nothing derived.
 template <int d>
@@ -86,4 +86,4 @@ struct Audit_result {
 /// convex. Coplanar triangles are tested in their plane. Also checks Euler's relation, which follows.
 [[nodiscard]] Audit_result audit(const Audit_input<3>& input, Index first = 0);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <unordered_map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace auditing {
 
@@ -147,4 +147,4 @@ Audit_result audit(const Audit_input<2>& in, Index first_index) {
     return r;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <unordered_map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -181,4 +181,4 @@ Audit_result audit(const Audit_input<3>& in, Index first_index) {
     return r;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

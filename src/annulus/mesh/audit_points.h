@@ -11,7 +11,7 @@
 #include <initializer_list>
 #include <utility>
 
-namespace annulus::auditing {
+namespace annulus::inline v1::auditing {
 
 inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -182,4 +182,4 @@ class Audit_predicates_2 {
 Audit_result audit_plane(Audit_predicates_2& predicates, std::size_t vertices,
                          const std::vector<std::array<Index, 3>>& cells, Findings r);
 
-}  // namespace annulus::auditing
+}  // namespace annulus::inline v1::auditing

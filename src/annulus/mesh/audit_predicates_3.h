@@ -3,7 +3,7 @@
 
 #include <annulus/mesh/audit_points.h>
 
-namespace annulus::auditing {
+namespace annulus::inline v1::auditing {
 
 using Cell = std::array<Index, 4>;
 using Triple = std::array<Index, 3>;
@@ -136,4 +136,4 @@ class Audit_predicates_3 {
     Integer sum_;
 };
 
-}  // namespace annulus::auditing
+}  // namespace annulus::inline v1::auditing

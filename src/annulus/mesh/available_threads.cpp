@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 int available_threads(int wanted) {
     static std::atomic<int> given{1};
@@ -35,4 +35,4 @@ int available_threads(int wanted) {
     return most;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

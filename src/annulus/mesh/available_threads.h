@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The number of threads TBB may use, the calling one included: `wanted`, but no more than the machine runs at once,
 /// and 1 if the system gives this process fewer (limits on processes or on address space), where TBB would throw
@@ -11,4 +11,4 @@ namespace annulus {
 /// each, and ending them. A number that was granted once is not tested again.
 [[nodiscard]] int available_threads(int wanted);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

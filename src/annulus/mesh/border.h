@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether the border of a triangulation, at x, winds once (docs/theory.md 1.2). Precondition: every ridge of it is
 /// convex there. O(border); in 3D it also fills O(cells) bytes. The number of facets looked at is added to `seen`.
@@ -34,4 +34,4 @@ template <int d>
     return met == all;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

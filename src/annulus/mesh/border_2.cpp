@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/border.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Walks the border clockwise, around infinity. The border turns right everywhere, so it winds as often as its
 /// direction enters the half-plane of directions that point up, or right when level.
@@ -25,4 +25,4 @@ bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>>
     return entries == 1;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

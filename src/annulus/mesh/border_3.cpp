@@ -8,7 +8,7 @@
 
 #include <unordered_map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -83,4 +83,4 @@ bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>>
     return entries == 1;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Cell_lists<d>::Cell_lists(Mesh_cells<d> listed, int affine_dimension, std::size_t bound)
@@ -75,4 +75,4 @@ template std::vector<std::array<Index, 3>> hull_facets(const Cell_lists<3>&);
 template Vertex_neighbours vertex_neighbours(const Cell_lists<2>&);
 template Vertex_neighbours vertex_neighbours(const Cell_lists<3>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The finite cells of a triangulation at one time. Nothing changes them afterwards, so they may be shared.
 template <int d>
@@ -53,4 +53,4 @@ void find_cells(const Cell_lists<d>& lists, std::span<const Coordinates<d>> x, s
 extern template struct Cell_lists<2>;
 extern template struct Cell_lists<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The certificate that a facet owns (docs/theory.md 1). The orientation of a finite cell belongs to the cell.
 enum class Facet_kind : std::uint8_t {
@@ -207,4 +207,4 @@ void for_each_certificate(const Corner_table<3>& t, Index v, On_cell on_cell, On
     });
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <new>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The cells that a Corner_table has lost since begin(), and the places that were written to, however often they were
 /// written to and whatever is there now. The table calls record() before it writes. Memory: a mark for each cell of
@@ -88,4 +88,4 @@ class Change_log {
     bool failed_ = false;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

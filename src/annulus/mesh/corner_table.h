@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /*
          q = site(h)
@@ -308,4 +308,4 @@ void Corner_table<d>::flip(Corner_index h) {
     note_corner(vertex(t), t);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

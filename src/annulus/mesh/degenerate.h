@@ -9,7 +9,7 @@
 #include <array>
 
 // What decides a certificate whose determinant is 0 (docs/theory.md 6.7). Overloaded by the tuple, hence by dimension.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether the sphere of a positive cell holds p, exactly. If it passes through p the perturbation decides.
 template <int d>
@@ -38,4 +38,4 @@ template <int d>
     return false;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

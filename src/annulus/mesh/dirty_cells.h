@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The places of a Corner_table that were written to since clear(), which a copy of the table has to update. When they
 /// exceed a share of all places, or memory runs out, it reports "everything" and recording is free from then on.
@@ -47,4 +47,4 @@ class Dirty_cells {
     bool everything_ = true;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

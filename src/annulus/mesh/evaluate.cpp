@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -56,4 +56,4 @@ double annulus_width_lower(const std::array<Coordinates<3>, 5>& x) {
 double bicell_theta(const std::array<Coordinates<2>, 4>& x) { return theta(x[0], x[1], x[2], x[3]); }
 double bicell_theta(const std::array<Coordinates<3>, 5>& x) { return theta(x[0], x[1], x[2], x[3], x[4]); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

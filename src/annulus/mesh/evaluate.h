@@ -5,7 +5,7 @@
 
 // One certificate at given positions, by all stages. For measurements of a triangulation, not for its updates. Needs
 // rounding to nearest, and restores it. Some hundred nanoseconds each.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The certificate of a facet; x[k] is the position of its k-th point. Where the determinant is 0 the perturbation
 /// decides, or whether the hull is convex there (degenerate.h). Positive with infinite tolerance for a border, which
@@ -25,4 +25,4 @@ namespace annulus {
 [[nodiscard]] double bicell_theta(const std::array<Coordinates<2>, 4>& x);
 [[nodiscard]] double bicell_theta(const std::array<Coordinates<3>, 5>& x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -118,4 +118,4 @@ template void find_cells(const Cell_lists<2>&, std::span<const Coordinates<2>>, 
 template void find_cells(const Cell_lists<3>&, std::span<const Coordinates<3>>, std::span<const Coordinates<3>>,
                          std::span<Index>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

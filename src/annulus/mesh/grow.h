@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Resizes an array that grows a little now and then. Reserves a thirty-second part more than is needed, where
 /// std::vector doubles. The capacity stays within 33/32 of the size, and the array is copied O(log n) times.
@@ -22,4 +22,4 @@ void release(std::vector<T>& x) noexcept {
     std::vector<T>().swap(x);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

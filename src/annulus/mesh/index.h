@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The index of one kind of object. Does not convert to the index of another kind, nor to that of a vertex, which is
 /// the caller's plain Index. The default is `none`, which names nothing.
@@ -95,4 +95,4 @@ class Index_range {
     Exists exists_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -155,4 +155,4 @@ template void insert_vertex<2>(Corner_table<2>&, std::span<const Coordinates<2>>
 template void insert_vertex<3>(Corner_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
                                std::vector<Cell_index>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

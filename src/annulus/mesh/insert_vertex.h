@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Inserts v into a table that is Delaunay without it, at x. The position of v in x is not that of another vertex.
 /// `first` is a cell that holds this position, or an infinite cell if it is beyond that cell's facet. `changed`
@@ -25,4 +25,4 @@ extern template void insert_vertex<2>(Corner_table<2>&, std::span<const Coordina
 extern template void insert_vertex<3>(Corner_table<3>&, std::span<const Coordinates<3>>, Cell_index, Index,
                                       std::vector<Cell_index>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

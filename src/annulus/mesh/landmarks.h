@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Where walks begin: some of the vertices, sorted by position as a k-d tree, in which one near any position is found
 /// in O(log n), and the vertex where the last walk ended. All of them are hints: vertices may move or be removed
@@ -163,4 +163,4 @@ class Landmarks {
     Index last_ = none;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What the certificates of a triangulation measure at given positions, in the caller's unit of length.
 struct Measures {
@@ -16,4 +16,4 @@ struct Measures {
     double theta_min = 1.5707963267948966;  ///< least theta of a finite bi-cell in radians
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Mesh_cells<d> mesh_cells(const Corner_table<d>& t) {
@@ -74,4 +74,4 @@ template Mesh_cells<3> mesh_cells<3>(const Corner_table<3>&);
 template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
 template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 class Corner_table;
@@ -39,4 +39,4 @@ extern template Mesh_cells<3> mesh_cells<3>(const Corner_table<3>&);
 extern template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
 extern template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The finite neighbours of every vertex of a 2D triangulation in counter-clockwise order, all lists in one array.
 ///
@@ -26,4 +26,4 @@ struct Neighbours_2 {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Runs a call in which TBB has at most `threads` threads, the calling one included; one thread if the system does not
 /// provide that many.
@@ -72,4 +72,4 @@ void for_each_in_order(int threads, const Fill& fill, const Work& work, const Ta
     });
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

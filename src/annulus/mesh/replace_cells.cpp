@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -89,4 +89,4 @@ template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_index>, st
 template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                std::span<const Fresh_neighbours<3>>, std::vector<Cell_index>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

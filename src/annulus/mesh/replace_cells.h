@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Replaces the cells `old` by the cells `fresh`, each given by its vertices (infinity included) in positive order.
 /// `made` receives the indices of the new cells. Precondition: both sets have the same border, and no facet occurs
@@ -39,4 +39,4 @@ extern template void replace_cells<2>(Corner_table<2>&, std::span<const Cell_ind
 extern template void replace_cells<3>(Corner_table<3>&, std::span<const Cell_index>, std::span<const Cell_sites<3>>,
                                       std::span<const Fresh_neighbours<3>>, std::vector<Cell_index>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

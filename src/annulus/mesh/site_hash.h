@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Where to begin the search for an array of sites in a table with open addressing. The size of the table is a power
 /// of two, at least 2. Depends on vertices only: different sites of one vertex are told apart by comparison.
@@ -18,4 +18,4 @@ template <class Sites>
     return static_cast<std::size_t>(key >> (64 - std::countr_zero(places)));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The keys met on a walk around a vertex. Allocates no memory while they are few. Nothing is marked in the cells
 /// themselves, so several walks may run at the same time. `empty` is a key that never occurs. Open addressing;
@@ -60,4 +60,4 @@ struct Index_hash {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

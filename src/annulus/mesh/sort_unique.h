@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Sorts a list and removes duplicates. O(n log n).
 template <class T>
@@ -32,4 +32,4 @@ void sort_unique(std::vector<Typed_index<Tag>>& list, Typed_index<Tag> bound) {
                 Typed_index<Tag>(static_cast<Index>(bits * k + static_cast<std::size_t>(std::countr_zero(left)))));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

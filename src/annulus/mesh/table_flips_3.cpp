@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corne
         {Cell_sites<3>{w, c, p, q}, Cell_sites<3>{c, u, p, q}, Cell_sites<3>{r, w, p, q}, Cell_sites<3>{u, r, p, q}}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

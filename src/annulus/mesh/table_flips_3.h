@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /*
             c                                c
@@ -54,4 +54,4 @@ struct Flip_4_4 {
 /// four cells share u w. Each triangle of the picture makes one cell with c, behind it, and one with r, in front of it.
 [[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -101,4 +101,4 @@ ANNULUS_INSTANTIATE(2)
 ANNULUS_INSTANTIATE(3)
 #undef ANNULUS_INSTANTIATE
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

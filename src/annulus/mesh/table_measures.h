@@ -7,7 +7,7 @@
 #include <span>
 
 // Measures of the certificates of a table at positions x, where it is Delaunay.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Least tolerance of the certificates of v, a certified lower bound. O(degree).
 template <int d>
@@ -22,4 +22,4 @@ template <int d>
 template <int d>
 [[nodiscard]] Measures measure(const Corner_table<d>& t, std::span<const Coordinates<d>> x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The exact orientation of d + 1 points: by the filter, and by the exact stage where the filter cannot decide.
 template <int d>
@@ -66,4 +66,4 @@ class Table_walker {
     std::span<const Coordinates<d>> x_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

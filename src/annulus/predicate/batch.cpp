@@ -5,7 +5,7 @@
 #include <annulus/predicate/lanes.h>
 #include <annulus/predicate/later_stages.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -156,4 +156,4 @@ Certificate_value evaluate_empty_sphere(const Tuple<3, 5>& x, bool certified, Ce
     return evaluate_one(x, certified, cells);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The filtered predicate for many certificates. out[i] is what the single call (`evaluate_orientation`,
 /// `evaluate_empty_sphere`) gives for x[i], bit for bit. It is faster: the filter stage evaluates several side by side
@@ -21,4 +21,4 @@ Stage_counts evaluate(std::span<const Tuple<3, 4>> x, Tolerance_precision mode, 
 Stage_counts evaluate(std::span<const Tuple<3, 5>> x, Tolerance_precision mode, std::span<Certificate_value> out,
                       Cell_widths cells = Cell_widths::where_needed);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

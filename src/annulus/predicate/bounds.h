@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus::bounds {
+namespace annulus::inline v1::bounds {
 
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.
 inline constexpr double u = 0x1p-53;
@@ -76,4 +76,4 @@ inline constexpr double interval_slack = 0x1p-10;
 inline constexpr double filter_range = 0x1p120;
 inline constexpr double filter_range_3 = 0x1p100;
 
-}  // namespace annulus::bounds
+}  // namespace annulus::inline v1::bounds

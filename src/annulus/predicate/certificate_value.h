@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Which number is used as the tolerance of a certificate.
 enum class Tolerance_kind : std::uint8_t {
@@ -35,4 +35,4 @@ struct Certificate_value {
     std::uint8_t wrong_side = 0;  ///< empty spheres in 3D: bit k if partition k may be on the wrong side (filtered_3.h)
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The circle through the corners of a triangle, prepared for tests of points: signs of certificates only, where no
 /// tolerance is needed. The triangle's contribution is computed once for its three edges, so all signs of a
@@ -79,4 +79,4 @@ class Circumcircle_2 {
     double magnitude_;  // largest coordinate of u and v
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

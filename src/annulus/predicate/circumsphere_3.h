@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The sphere through the corners of a cell, prepared for tests of points: Circumcircle_2 in 3D.
 ///
@@ -81,4 +81,4 @@ class Circumsphere_3 {
     double magnitude_;  // largest coordinate of u, v and t
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

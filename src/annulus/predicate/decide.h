@@ -12,7 +12,7 @@
 
 // The filter stage on a number type V: a double, or several of them side by side (lanes.h). Both use one formula with
 // the same operations, so a batch gives the same bits as single calls.
-namespace annulus::detail {
+namespace annulus::inline v1::detail {
 
 template <class Mask, class V>
 [[nodiscard]] V select(const Mask& choose, const V& yes, const V& no) {
@@ -102,4 +102,4 @@ template <class V>
     return sign != 0.0;
 }
 
-}  // namespace annulus::detail
+}  // namespace annulus::inline v1::detail

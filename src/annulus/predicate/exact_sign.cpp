@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -86,4 +86,4 @@ Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x) {
     return sign_of<3, 5>(x, [](const auto&... v) { return empty_sphere(v...); });
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/predicate/certificate_value.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A sign, and the stage that decided it.
 struct Staged_sign {
@@ -21,4 +21,4 @@ struct Staged_sign {
 [[nodiscard]] Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x);
 [[nodiscard]] Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/predicate/interval_stage.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -61,4 +61,4 @@ Certificate_value empty_sphere_exact(const Tuple<2, 4>& x) {
     return value_of(bicell_terms(detail::vectors<2>(z)), z.exponent);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

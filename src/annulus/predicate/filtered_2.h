@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace detail {
 
@@ -98,4 +98,4 @@ template <class V>
 /// Half the width of the paper's slab of a hull vertex x[2] with neighbours x[0], x[1]: the same.
 [[nodiscard]] inline double paper_ridge(const Tuple<2, 3>& x) { return paper_slab(x); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

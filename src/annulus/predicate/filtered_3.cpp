@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/exact.h>
 #include <annulus/predicate/interval_stage.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -130,4 +130,4 @@ Annuli annuli_exact(const Tuple<3, 5>& x) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

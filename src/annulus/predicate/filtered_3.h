@@ -13,7 +13,7 @@
 // - a). A bi-cell is x = {a, b, c, p, q} with positive cells a b c q and b a c p. So the facet a b c turns left as
 // seen from q, and p is behind it. In 2D it is {a, b, p, q} with positive triangles a b q and b a p.
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether the widths of the two cells enter the tolerance of an empty sphere in 3D (docs/theory.md 2.2, remark).
 ///
@@ -175,4 +175,4 @@ struct Annuli {
     return 0.5 * std::fabs(dot(n, detail::difference(x, 2, 0))) / std::sqrt(square(n));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

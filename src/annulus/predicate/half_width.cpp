@@ -13,7 +13,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -210,4 +210,4 @@ Half_width enclose_exactly(const Tuple<3, 4>& x, Width which) { return by_intege
 Bicell_half_widths enclose_exactly(const Tuple<2, 4>& x) { return bicell_by_integers(x); }
 Bicell_half_widths enclose_exactly(const Tuple<3, 5>& x) { return bicell_by_integers(x); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

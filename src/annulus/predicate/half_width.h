@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Two doubles that enclose half a width. For analysis, where it matters equally that a width is small and that it is
 /// not. The filter needs only the lower end, and computes it more cheaply (filtered.h).
@@ -53,4 +53,4 @@ void enclose(std::span<const Tuple<3, 5>> x, std::span<Bicell_half_widths> out);
 [[nodiscard]] Bicell_half_widths enclose_exactly(const Tuple<2, 4>& x);
 [[nodiscard]] Bicell_half_widths enclose_exactly(const Tuple<3, 5>& x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <cmath>
 
 // What the interval stages of both dimensions share. All of it assumes upward rounding: see Rounding_guard.
-namespace annulus::detail {
+namespace annulus::inline v1::detail {
 
 /// A scale as two factors. One power of two can itself leave the range of doubles (differences of 2^-1074 need
 /// 2^1073).
@@ -86,4 +86,4 @@ template <std::size_t d, std::size_t k, class Evaluate>
     return out.sign != 0;
 }
 
-}  // namespace annulus::detail
+}  // namespace annulus::inline v1::detail

@@ -14,10 +14,10 @@
 #pragma GCC diagnostic pop
 #endif
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Several doubles side by side, as many as a register of the target holds: 2 on the x86-64 baseline. Each lane is
 /// rounded as a single double would be.
 using Lanes = std::experimental::native_simd<double>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The stages after the filter, for certificates 0, ..., n - 1. Calls interval(i) for each i that is open(i), inside
 /// one Rounding_guard. It returns whether it answered; then i must no longer be open. Calls exact(i) for each i that
@@ -31,4 +31,4 @@ Stage_counts later_stages(std::size_t n, Open open, Interval interval, Exact exa
     return counts;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

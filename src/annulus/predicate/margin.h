@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The largest difference of coordinates between the first point and another: the size of a certificate, in the unit
 /// of the points. Plain double.
@@ -46,4 +46,4 @@ template <int d, std::size_t k>
     return t.determinant / (bounds::annulus_3_insphere * bounds::u * ((m * m) * (m * m) * m));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // The sign of an orientation and nothing else, by the filter stage: 0 where the next stage has to decide. The
 // determinants and errors are those of Circumcircle_2 and Circumsphere_3 (bounds.h). The rounding mode must be to
@@ -37,4 +37,4 @@ namespace detail {
                               bounds::filter_range_3);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

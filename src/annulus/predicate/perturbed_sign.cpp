@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -36,4 +36,4 @@ int perturbed(const Tuple<d, d + 2>& x) {
 int perturbed_sign(const Tuple<2, 4>& x) { return perturbed<2>(x); }
 int perturbed_sign(const Tuple<3, 5>& x) { return perturbed<3>(x); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

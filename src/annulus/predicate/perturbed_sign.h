@@ -3,7 +3,7 @@
 
 #include <annulus/space/places.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Sign of the empty sphere of x = {a, b, p, q}, or {a, b, c, p, q}, for cospherical points, by CGAL's lexicographic
 /// symbolic perturbation: never 0. Preconditions: evaluate_empty_sphere(x).sign == 0, and both cells are positive.
@@ -15,4 +15,4 @@ namespace annulus {
 [[nodiscard]] int perturbed_sign(const Tuple<2, 4>& x);
 [[nodiscard]] int perturbed_sign(const Tuple<3, 5>& x);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The angle theta of a bi-cell in radians, in [0, pi/2]: the angle between the axis of the facet a b and the bisector
 /// of the opposite vertices p, q (paper, figure 4). sin(theta) = |(q - p) . n| / (|q - p| |n|) with n normal to the
@@ -55,4 +55,4 @@ namespace annulus {
     return std::atan2(along, std::hypot(sine[0], sine[1], sine[2]));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

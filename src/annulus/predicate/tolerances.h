@@ -8,7 +8,7 @@
 #include <span>
 
 // Tolerances that are the least of several half widths.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One certificate, with the given precision of its tolerance.
 template <class T>
@@ -56,4 +56,4 @@ void lower_to_certificates(std::span<const std::array<Index, k>> points, std::sp
         }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

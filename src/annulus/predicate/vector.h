@@ -9,7 +9,7 @@
 #include <functional>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A 2D vector over any number type.
 template <class T>
@@ -70,4 +70,4 @@ template <int d>
 
 }  // namespace detail
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

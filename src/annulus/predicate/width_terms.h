@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The terms of half a width: half width = determinant / (sqrt(inner) + sqrt(outer)).
 ///
@@ -75,4 +75,4 @@ template <class T>
     return {incircle, inner, outer};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // Each function below is one line of the proofs (proofs/gappa/certificates_3.g): the order of operations is part of
 // what is proved.
@@ -172,4 +172,4 @@ template <class T>
     return {t.cell_q, largest, largest};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

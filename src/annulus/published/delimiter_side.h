@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether p, the new position of vertex v of the bi-cell, is on the side of the standard delimiter where v must stay
 /// (paper 2.3): inside for a vertex of the facet, outside for an opposite one; for a slab on its side of the middle
@@ -36,4 +36,4 @@ namespace annulus {
     return slot < 2 ? way < radius : way > radius;  // false where there is no centre
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

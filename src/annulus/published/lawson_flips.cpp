@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// If all triangles of a triangulation are positive, such flips lead to the Delaunay triangulation in any order
 /// (Lawson). Each of them flips a strictly convex quadrilateral; with the symbolic perturbation no edge is
@@ -35,4 +35,4 @@ bool flip_after_move(Corner_table<2>& table, std::span<const Coordinates<2>> x, 
     return true;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The least tolerance of each point among some certificates.
 class Least_tolerance {
@@ -45,4 +45,4 @@ class Least_tolerance {
     std::vector<Index> touched_;  // those that are not unlimited
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

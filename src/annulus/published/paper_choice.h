@@ -15,7 +15,7 @@
 //
 // What the engine requires of every strategy (starting, insertions, transactions) is in paper_strategy_state.cpp. The
 // paper's tolerances are unsound in 3D: docs/theory.md 3.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Which variant of the paper's algorithms. Four of them are strategies of the library.
 struct Paper_choice {
@@ -41,4 +41,4 @@ struct Paper_choice {
     }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

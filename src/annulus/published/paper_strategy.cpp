@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
@@ -155,4 +155,4 @@ void Paper_strategy<d>::begin_again(Move_report& report) {
 template class Paper_strategy<2>;
 template class Paper_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

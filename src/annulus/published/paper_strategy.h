@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The paper's filtering algorithm (its 3.2), one vertex at a time: the strategy `paper`; and `paper-hybrid`, which
 /// rebuilds until the motion is slow enough for it (4.2).
@@ -125,4 +125,4 @@ class Paper_strategy : public Rebuild_strategy<d> {
 extern template class Paper_strategy<2>;
 extern template class Paper_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

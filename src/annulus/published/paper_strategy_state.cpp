@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -113,4 +113,4 @@ void Paper_strategy<d>::rollback() noexcept {
 template class Paper_strategy<2>;
 template class Paper_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether the tolerance of v is greater than its displacement to x, with all other vertices at rest.
 template <int d>
@@ -46,4 +46,4 @@ void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_repo
 template class Paper_strategy<2>;
 template class Paper_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

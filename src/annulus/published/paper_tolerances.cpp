@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 constexpr std::size_t batch_size = 1024;  // certificates: they stay in the cache from one stage to the next
@@ -111,4 +111,4 @@ void Paper_tolerances<d>::note_everything(std::span<const Coordinates<d>> x, Lea
 template class Paper_tolerances<2>;
 template class Paper_tolerances<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

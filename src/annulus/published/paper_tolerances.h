@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Tolerances of the certificates of a Delaunay triangulation (paper 2.2 and 2.3), by kind. `paper` has the standard
 /// annulus of every bi-cell and the slabs of the hull, in plain double, and no tolerances of cells, which is unsound
@@ -57,4 +57,4 @@ class Paper_tolerances {
 extern template class Paper_tolerances<2>;
 extern template class Paper_tolerances<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 auto Relocation<d>::move(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& p,
@@ -40,4 +40,4 @@ auto Relocation<d>::move(std::span<Coordinates<d>> x, Index v, const Coordinates
 template class Relocation<2>;
 template class Relocation<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The paper's relocation of one vertex, with its improvements for small displacements (3.1).
 template <int d>
@@ -38,4 +38,4 @@ class Relocation {
 extern template class Relocation<2>;
 extern template class Relocation<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

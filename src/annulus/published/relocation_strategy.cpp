@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/published/relocation_strategy.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
@@ -23,4 +23,4 @@ void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report&
 template class Relocation_strategy<2>;
 template class Relocation_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

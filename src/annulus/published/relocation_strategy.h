@@ -4,7 +4,7 @@
 #include <annulus/engine/rebuild_strategy.h>
 #include <annulus/published/relocation.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The paper's relocation algorithm (3.1), one vertex at a time, without tolerances: the strategies `relocate`, which
 /// removes and inserts every vertex, and `relocate-flips`, which does so only where one of its certificates does not
@@ -26,4 +26,4 @@ class Relocation_strategy final : public Rebuild_strategy<d> {
 extern template class Relocation_strategy<2>;
 extern template class Relocation_strategy<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <span>
 
 // The paper's numbers of a bi-cell (2.2, 2.3), in plain double as in the paper: nothing is certified.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Half the width of the standard annulus, ab | pq and abc | pq; 0 where the circle or sphere is not empty.
 [[nodiscard]] inline double standard_half_width(const Tuple<2, 4>& x) {
@@ -27,4 +27,4 @@ template <int d>
     return std::max(0.0, f.kind == Facet_kind::ridge ? paper_ridge(y) : paper_slab(y));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 std::unique_ptr<Update_strategy<d>> make_paper(Delaunay_mesh<d>& mesh, const Paper_choice& choice, Tolerance_kind kind,
@@ -47,4 +47,4 @@ template std::unique_ptr<Update_strategy<2>> make_paper(Delaunay_mesh<2>&, const
 template std::unique_ptr<Update_strategy<3>> make_paper(Delaunay_mesh<3>&, const Paper_choice&, Tolerance_kind,
                                                         std::uint64_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The strategy that the options name, for this mesh, which must outlive it. Throws Error(usage) where the options do
 /// not fit together: only the paper's strategies allow tolerances that are not certified.
@@ -28,4 +28,4 @@ extern template std::unique_ptr<Update_strategy<2>> make_paper(Delaunay_mesh<2>&
 extern template std::unique_ptr<Update_strategy<3>> make_paper(Delaunay_mesh<3>&, const Paper_choice&, Tolerance_kind,
                                                                std::uint64_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

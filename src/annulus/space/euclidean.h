@@ -7,7 +7,7 @@
 #include <functional>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// R^d: what the library needs of the space that the points are in.
 template <int d>
@@ -30,4 +30,4 @@ struct Euclidean {
 template <int d>
 using Site = typename Euclidean<d>::Site;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

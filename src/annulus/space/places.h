@@ -9,7 +9,7 @@
 #include <functional>
 
 // The positions of the points of a certificate. Only this file looks behind these pointers.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Pointers to the positions of the points of one certificate.
 template <int d, int k>
@@ -52,4 +52,4 @@ template <std::size_t k>
     return y;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

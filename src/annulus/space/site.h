@@ -5,7 +5,7 @@
 
 #include <compare>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A corner of a cell as geometry sees it: a vertex, and which of its images it is. Sites tell corners apart. The
 /// conversion from a vertex is explicit, since a vertex alone names no image.
@@ -24,4 +24,4 @@ struct No_label {
     friend constexpr auto operator<=>(No_label, No_label) = default;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 void Common_arguments::say_merged(const std::string& file, std::uint64_t count) const {
     if (count > 0 && !quiet)
@@ -115,4 +115,4 @@ std::string command_line(const std::vector<std::string>& words) {
     return line;
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

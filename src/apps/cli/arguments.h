@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Exit status of the tool. `our_fault` is also that of failures of the machine: memory, disk.
 enum Exit : int { done = 0, audit_failed = 1, wrong_usage = 2, bad_input = 3, our_fault = 4 };
@@ -63,4 +63,4 @@ void add_tracking(CLI::App& app, Tracking_arguments& arguments);
 /// The command line, quoted where a shell needs it, for the files of the run.
 [[nodiscard]] std::string command_line(const std::vector<std::string>& words);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

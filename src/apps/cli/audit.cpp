@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/audit.h>
+#include <annulus/version.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/result_files.h>
@@ -12,7 +13,7 @@
 #include <string>
 #include <variant>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -26,7 +27,7 @@ bool is_audit(std::string_view name) { return name == "audit.json"; }
 template <int d>
 nlohmann::ordered_json json(const Mesh_file<d>& mesh, const Audit_result& r, const std::string& command) {
     return {{"command", command},
-            {"version", ANNULUS_VERSION},
+            {"version", ANNULUS_VERSION_STRING},
             {"file", mesh.name},
             {"dimension", d},
             {"vertices", mesh.points.size()},
@@ -93,4 +94,4 @@ Run add_audit_command(CLI::App& app, const Invocation& invocation) {
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

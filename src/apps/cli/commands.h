@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// A subcommand registers itself with the application and returns a function that runs it and returns the exit status.
 using Run = std::function<int()>;
@@ -28,4 +28,4 @@ Run add_sweep_command(CLI::App& app, const Invocation& invocation);
 Run add_reproduce_command(CLI::App& app, const Invocation& invocation);
 Run add_counterexample_command(CLI::App& app, const Invocation& invocation);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

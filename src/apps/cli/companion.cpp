@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -66,4 +66,4 @@ Run add_compare_command(CLI::App& app, const Invocation& invocation) {
     return add_compare(app, invocation, nullptr);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

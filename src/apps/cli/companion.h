@@ -3,7 +3,7 @@
 
 #include <apps/cli/commands.h>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The descriptions in --help of the subcommands that are separate programs.
 inline constexpr const char* nodt_summary = "Natural-ODT optimisation of a tetrahedral mesh of a closed surface";
@@ -21,4 +21,4 @@ Run add_reproduce_companion(CLI::App& app, const Invocation& invocation);
 /// `annulus compare`: runs annulus-nodt if the motion is natural ODT; other motions are compared in this process.
 Run add_compare_command(CLI::App& app, const Invocation& invocation);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

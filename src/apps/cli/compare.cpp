@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -249,4 +249,4 @@ Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt
     };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

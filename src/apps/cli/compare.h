@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Makes the motion of natural ODT; throws as `make_scene`.
 using Make_nodt = std::unique_ptr<Guided_motion<Moving_mesh_3>> (*)(const Nodt_arguments& arguments,
@@ -17,4 +17,4 @@ using Make_nodt = std::unique_ptr<Guided_motion<Moving_mesh_3>> (*)(const Nodt_a
 /// `make_nodt` is null and not used.
 Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

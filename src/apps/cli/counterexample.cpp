@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -66,4 +66,4 @@ Run add_counterexample_command(CLI::App& app, const Invocation& invocation) {
     };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

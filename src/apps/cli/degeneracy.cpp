@@ -27,7 +27,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -292,4 +292,4 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -20,7 +20,7 @@
 #include <numbers>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -144,4 +144,4 @@ template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Movi
 template void print_summary(const Tracker_2&);
 template void print_summary(const Tracker_3&);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The files that `write_run` writes, for --help.
 inline constexpr const char* run_files = "summary.json, iterations.csv, final.mesh, final.vtu and report.html";
@@ -55,4 +55,4 @@ extern template void write_run(const Common_arguments&, const Tracker_3&, Run_pa
 extern template void print_summary(const Tracker_2&);
 extern template void print_summary(const Tracker_3&);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

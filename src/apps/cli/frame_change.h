@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The points that are present: their ids, ascending, and the index of each in the triangulation.
 struct Present {
@@ -71,4 +71,4 @@ template <int d>
     return std::exp((logarithms - std::log(static_cast<double>(points.size()))) / dimension);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -210,4 +210,4 @@ void Frame_files<Moving>::write(Result_files& out) {
 template class Frame_files<Moving_mesh_2>;
 template class Frame_files<Moving_mesh_3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

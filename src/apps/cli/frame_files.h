@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Which data of the frames of a run are written.
 struct Frame_arguments {
@@ -76,4 +76,4 @@ class Frame_files {
 extern template class Frame_files<Moving_mesh_2>;
 extern template class Frame_files<Moving_mesh_3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

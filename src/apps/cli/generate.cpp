@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -135,4 +135,4 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
     };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

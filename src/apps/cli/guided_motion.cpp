@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common)
     : scene_(make_scene(arguments, common.seed)),
@@ -67,4 +67,4 @@ bool Guided_replay<Moving>::next(Time_step<d>& t) {
 template class Guided_replay<Moving_mesh_2>;
 template class Guided_replay<Moving_mesh_3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

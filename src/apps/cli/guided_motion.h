@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// How far the vertices move in a step.
 struct Displacements {
@@ -104,4 +104,4 @@ class Guided_replay final : public Guided_motion<Moving> {
 extern template class Guided_replay<Moving_mesh_2>;
 extern template class Guided_replay<Moving_mesh_3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common)
     : threads_(common.threads),
@@ -44,4 +44,4 @@ Picture Guided_nodt::picture(const Moving& dt, std::string caption) const {
     return mesh.cut(std::move(caption), axis_);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Natural ODT with its own triangulation, as Guided_lloyd.
 class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
@@ -40,4 +40,4 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
     bool cells_changed_ = true;
 };
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

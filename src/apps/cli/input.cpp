@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 void add_open(CLI::App& app, bool& open) {
     app.add_flag("--open", open,
@@ -27,4 +27,4 @@ void print_input(const Input_record& input, int dimension) {
     std::printf("columns        %s\n", listed(input.columns).c_str());
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

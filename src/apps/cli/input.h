@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// --open: files with a periodic box are read nevertheless.
 void add_open(CLI::App& app, bool& open);
@@ -24,4 +24,4 @@ template <int d>
 /// Prints the lines `dimension` and `columns` on standard output, if there is an input.
 void print_input(const Input_record& input, int dimension);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -42,4 +42,4 @@ void Interruption_guard::end_if_interrupted() noexcept {
     if (noted.load() != 0) raise(noted.load());
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// While an object of this class exists, the first SIGHUP, SIGINT or SIGTERM is only recorded; the same signal again
 /// ends the process at once, so that a user can always stop it. Signals that were ignored (nohup) stay ignored. A guard
@@ -28,4 +28,4 @@ class Interruption_guard {
     bool outermost_;
 };
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -91,4 +91,4 @@ Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -16,7 +16,7 @@
 #include <cstdlib>
 #include <numbers>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     auto* points = app.add_option("-n,--points", a.points, "Sample N points with the density")
@@ -212,4 +212,4 @@ void read_stars(const Moving_mesh_2& dt, Stars_2& stars) {
     stars.read(lists);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

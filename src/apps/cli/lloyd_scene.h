@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The arguments that say which Lloyd iterations to run.
 struct Lloyd_arguments {
@@ -52,4 +52,4 @@ struct Lloyd_scene {
 /// Reads the stars of a triangulation. The cost depends on what has changed since the last call.
 void read_stars(const Moving_mesh_2& dt, Stars_2& stars);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 void Mesh_3::read(const Moving_mesh_3& dt) {
     Audit_input<3> in = dt.audit_input();
@@ -76,4 +76,4 @@ Picture picture_of(const Moving_mesh_3& dt, std::string caption) {
     return mesh.cut(std::move(caption));
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

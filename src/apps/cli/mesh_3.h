@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The solid cells of a 3D triangulation, as indices of `points`, and which of them are in the domain. Their order does
 /// not depend on the history of the triangulation, so that a motion computed from them is the same bit for bit.
@@ -49,4 +49,4 @@ class Mesh_3 {
 /// All cells of the triangulation, cut as above.
 [[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <memory>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -132,4 +132,4 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

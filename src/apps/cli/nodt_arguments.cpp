@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/nodt_scene.h>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 void add_nodt(CLI::App& app, Nodt_arguments& a) {
     auto* surface =
@@ -45,4 +45,4 @@ void add_nodt(CLI::App& app, Nodt_arguments& a) {
         ->excludes(sphere);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -139,4 +139,4 @@ Nodt_scene make_scene(const Nodt_arguments& a, std::uint64_t seed) {
     }
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

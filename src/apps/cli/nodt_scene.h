@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The arguments that say which mesh to optimise.
 struct Nodt_arguments {
@@ -50,4 +50,4 @@ struct Nodt_scene {
 /// Throws Input_error or Error.
 [[nodiscard]] Nodt_scene make_scene(const Nodt_arguments& arguments, std::uint64_t seed);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

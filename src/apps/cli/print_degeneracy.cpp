@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -83,4 +83,4 @@ void print_degeneracy(const Degeneracy_row& row) {
     std::printf(" %12.4g %12.4g\n", row.numbers->width[2], row.numbers->tolerance[2]);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

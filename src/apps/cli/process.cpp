@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -61,4 +61,4 @@ void finish_output() {
     if (std::ferror(stdout) != 0) throw std::runtime_error("standard output: not all could be written");  // before now
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

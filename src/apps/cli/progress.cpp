@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -86,4 +86,4 @@ void Progress::show(std::uint64_t step, const std::string& news, std::optional<d
     std::fflush(stderr);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

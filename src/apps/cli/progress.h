@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// A progress bar on standard error with steps per second and short news, drawn at most ten times a second. It is shown
 /// only on a terminal that is not dumb, and is never wider than the terminal.
@@ -38,4 +38,4 @@ struct Progress_line {
     [[nodiscard]] std::string in(std::size_t columns) const;
 };
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -188,4 +188,4 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 Motion_options Replay_arguments::motion() const {
     return {absent == "empty"  ? Absent_frames::empty
@@ -120,4 +120,4 @@ bool Replayed_frames<d>::next(Frame_points<d>& frame) {
 template class Replayed_frames<2>;
 template class Replayed_frames<3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

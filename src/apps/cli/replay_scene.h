@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The arguments that say which recorded motion to follow.
 struct Replay_arguments {
@@ -71,4 +71,4 @@ class Replayed_frames {
 extern template class Replayed_frames<2>;
 extern template class Replayed_frames<3>;
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

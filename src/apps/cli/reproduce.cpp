@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures and claims of the paper, reproduced by runs on this machine.
 #include <annulus/arithmetic/error.h>
+#include <annulus/version.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/companion.h>
@@ -25,7 +26,7 @@
 #include <thread>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -66,7 +67,7 @@ std::string fingerprint(const std::string& surfaces) {
 std::string description(const Reproduce_call& a) {
     std::string only;
     for (const std::string& topic : a.size.only) only += (only.empty() ? "" : ",") + topic;
-    return std::string("annulus " ANNULUS_VERSION) + (a.size.quick ? " quick" : " whole") +
+    return std::string("annulus " ANNULUS_VERSION_STRING) + (a.size.quick ? " quick" : " whole") +
            " iterations=" + std::to_string(a.size.iterations) + " seed=" + std::to_string(a.size.seed) +
            " only=" + only + " surfaces=" + (a.surfaces.empty() ? "no" : fingerprint(a.surfaces));
 }
@@ -154,4 +155,4 @@ Run add_reproduce_command(CLI::App& app, const Invocation& invocation) {
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::stri
     return std::make_unique<Guided_scene<Guided_nodt>>(a, common);
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

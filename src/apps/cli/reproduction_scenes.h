@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// The motions of a reproduction: Lloyd iterations and natural ODT as in the tool, and points of which only some move.
 /// `surfaces` is the directory with the bodies.
@@ -15,4 +15,4 @@ namespace annulus::cli {
 [[nodiscard]] std::unique_ptr<Scene<3>> space_scene(const Motion_plan& motion, const std::string& surfaces,
                                                     const Common_arguments& common);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string partial(const std::string& directory) {
     return path.string() + ".partial";
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

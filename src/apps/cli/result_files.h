@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Whether some subcommand writes files with this name.
 [[nodiscard]] bool is_result(std::string_view name);
@@ -38,4 +38,4 @@ void require_writable(const Common_arguments& arguments, Output_directory::Repla
 /// The name of the directory that an interrupted run writes to: DIR.partial.
 [[nodiscard]] std::string partial(const std::string& directory);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 using Clock = std::chrono::steady_clock;
 
@@ -12,4 +12,4 @@ using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

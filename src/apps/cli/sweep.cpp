@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/version.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/companion.h>
@@ -22,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -78,7 +79,7 @@ std::uint64_t bytes_of(const Sweep_call& a) {
 /// The head of a journal. A journal can be continued only if its head is the same.
 std::string head_of(const Spec& spec) {
     return Json{{"journal", "annulus sweep"},
-                {"version", ANNULUS_VERSION},
+                {"version", ANNULUS_VERSION_STRING},
                 {"identity", spec.identity},
                 {"trials", spec.trials.size()}}
         .dump();
@@ -93,7 +94,7 @@ bool is_done(const fs::path& directory, const Spec& spec) {
     std::ifstream file(directory / "sums.json", std::ios::binary);
     const Json json = Json::parse(file, nullptr, false);
     const auto has = [&json](const char* key, const Json& value) { return json.contains(key) && json[key] == value; };
-    return has("command", "annulus sweep") && has("version", ANNULUS_VERSION) && has("identity", spec.identity);
+    return has("command", "annulus sweep") && has("version", ANNULUS_VERSION_STRING) && has("identity", spec.identity);
 }
 
 /// The output directory while its journal grows. It is removed if the journal stays empty.
@@ -248,4 +249,4 @@ Run add_sweep_command(CLI::App& app, const Invocation&) {
     };
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/error.h>
+#include <annulus/version.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/interruption.h>
 #include <apps/cli/process.h>
@@ -13,7 +14,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -69,7 +70,7 @@ int run(const std::vector<std::string>& words, std::span<const Subcommand> subco
     }
 
     CLI::App app("annulus: a Delaunay triangulation kept right while its vertices move, certified", "annulus");
-    app.set_version_flag("--version", "annulus " ANNULUS_VERSION);
+    app.set_version_flag("--version", "annulus " ANNULUS_VERSION_STRING);
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     std::map<std::string, Run> runs;
@@ -95,4 +96,4 @@ int run_tool(int argc, char** argv, std::span<const Subcommand> subcommands) {
     return status;
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// A subcommand of a program: its name and the function that registers it.
 struct Subcommand {
@@ -17,4 +17,4 @@ struct Subcommand {
 /// returns the exit status. Every exception becomes one line on standard error.
 int run_tool(int argc, char** argv, std::span<const Subcommand> subcommands);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

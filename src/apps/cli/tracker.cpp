@@ -9,7 +9,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 namespace {
 
@@ -210,4 +210,4 @@ Picture picture_of(const Moving_mesh_2& dt, std::string caption) {
     return picture;
 }
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus::cli {
+namespace annulus::inline v1::cli {
 
 /// Whether the reported call changed the cells of the triangulation.
 [[nodiscard]] inline bool changes_cells(const Move_report& r) {
@@ -105,4 +105,4 @@ using Tracker_3 = Tracker<Moving_mesh_3>;
 /// The triangulation as a picture for the report.
 [[nodiscard]] Picture picture_of(const Moving_mesh_2& dt, std::string caption);
 
-}  // namespace annulus::cli
+}  // namespace annulus::inline v1::cli

@@ -11,7 +11,7 @@
 #include <malloc.h>
 #endif
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -145,4 +145,4 @@ void Coordinator::wait(std::chrono::milliseconds most) {
     changed_.wait_for(lock, most);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

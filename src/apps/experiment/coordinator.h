@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Hands out the trials of a sweep and stores their results in its journal. All members may be called from several
 /// threads at once.
@@ -116,4 +116,4 @@ class Workers {
     std::vector<std::jthread> thread_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -127,4 +127,4 @@ void Hard_inputs::add(const nlohmann::ordered_json& json) {
         std::move(input));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

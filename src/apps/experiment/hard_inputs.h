@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The kind of certificate, by its determinant.
 enum class Certificate_name : std::uint8_t { orientation_2, empty_circle_2, orientation_3, empty_sphere_3 };
@@ -81,4 +81,4 @@ class Hard_inputs {
     std::array<Class, 12> class_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

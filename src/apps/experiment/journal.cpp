@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -154,4 +154,4 @@ void Journal::write(std::string_view line) {
     synchronised_ = now;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Entries that survive the process, however it ends: an append-only file; each line is a CRC-32 and a text. A last
 /// line that was cut off by a kill is recognised and dropped when the journal is opened again; so is a damaged line. An
@@ -49,4 +49,4 @@ class Journal {
     std::chrono::steady_clock::time_point synchronised_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

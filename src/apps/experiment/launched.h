@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The number of processes that were started together with this one, including it, from environment variables of
 /// launchers: Open MPI's mpirun; those of MPICH, Intel MPI and MVAPICH; Slurm's srun. 1 by default.
@@ -22,4 +22,4 @@ namespace annulus {
     return 1;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

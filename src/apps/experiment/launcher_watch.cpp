@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -28,4 +28,4 @@ Launcher_watch::~Launcher_watch() {
     changed_.notify_all();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// While such an object exists, this process ends with the one that started it (mpirun, or the daemon of mpirun or srun
 /// on each machine): within a tenth of a second, with status 4 and without a message. A rank that outlives its launcher
@@ -25,4 +25,4 @@ class Launcher_watch {
     std::jthread thread_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string next_line(std::string_view& text) {
     const std::size_t end = text.find('\n');
@@ -73,4 +73,4 @@ std::exception_ptr fault_of(std::string_view text) {
     return std::make_exception_ptr(Error(code, std::string(text)));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <vector>
 
 // Messages between ranks, as text.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Removes the next line of text and returns it.
 [[nodiscard]] std::string next_line(std::string_view& text);
@@ -25,4 +25,4 @@ namespace annulus {
 [[nodiscard]] std::string packed(const std::exception_ptr& why);
 [[nodiscard]] std::exception_ptr fault_of(std::string_view text);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The processes of a run under MPI, of which this is one; a single process where it was not started by mpirun, srun or
 /// the like. Only the thread that makes the object may use it.
@@ -48,4 +48,4 @@ class Ranks {
     int rank_ = 0, size_ = 1, machine_ = 0, ranks_of_machine_ = 1;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

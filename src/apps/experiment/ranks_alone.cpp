@@ -5,7 +5,7 @@
 #include <annulus/arithmetic/error.h>
 #include <apps/experiment/launched.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Ranks::Messages {};
 
@@ -23,4 +23,4 @@ void Ranks::serve(Coordinator&, int, const std::function<void()>&) {}
 void Ranks::work(const Spec&, int) {}
 void Ranks::give_up(const std::exception_ptr&) {}
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -24,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -255,4 +255,4 @@ void Ranks::work(const Spec& spec, int threads) {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

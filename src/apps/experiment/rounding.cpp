@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -70,4 +70,4 @@ double rounded(double x, const Rounding& rounding) {
     return x;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The rounding of an input's coordinates, like that of programs which write files.
 struct Rounding {
@@ -42,4 +42,4 @@ void round_to(const Rounding& rounding, std::span<Coordinates<d>> points) {
         for (double& c : p) c = rounded(c, rounding);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Schedule::Schedule(std::span<const Trial> trials, const std::vector<std::size_t>& open, int threads,
                    std::uint64_t bytes)
@@ -52,4 +52,4 @@ void Schedule::finish(std::size_t trial, int machine) {
     --running_;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Which process runs which trial when: the longest first, so that no process is left with a long one at the end (list
 /// scheduling), and on each machine no more at a time than its memory is estimated to hold. A trial that needs more
@@ -55,4 +55,4 @@ class Schedule {
     std::size_t running_ = 0;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -85,4 +85,4 @@ void Nodt_motion::step() {
     engine_->move_all(target_);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

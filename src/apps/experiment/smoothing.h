@@ -13,7 +13,7 @@
 #include <vector>
 
 // Motions that need the triangulation, unlike Generated_motion: points(), step().
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Lloyd's iteration over the unit square, density 1.
 class Lloyd_motion {
@@ -51,4 +51,4 @@ class Nodt_motion {
     std::vector<Coordinates<3>> target_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

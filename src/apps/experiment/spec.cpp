@@ -13,7 +13,7 @@
 #include <limits>
 #include <optional>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -268,4 +268,4 @@ Spec read_spec(const std::string& name, std::string_view text, const std::filesy
     return spec;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

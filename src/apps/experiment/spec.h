@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The specification of a sweep, in TOML (docs/formats.md): grids of experiments, each the product of its lists.
 struct Spec {
@@ -37,4 +37,4 @@ struct Spec {
 /// Below 2^53, for readers of JSON.
 [[nodiscard]] std::uint64_t seed_of(std::uint64_t spec_seed, const Trial& trial, std::uint64_t repetition);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

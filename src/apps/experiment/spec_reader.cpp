@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::vector<double> Spec_table::numbers(std::string_view key, double least, doub
     return list<double>(key, {}, [&](const toml::node& node) { return read_number(key, node, least, most); });
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

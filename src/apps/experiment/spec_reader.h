@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One table of a TOML file whose keys are read one by one, strictly: every fault is an Input_error with its line and
 /// the key.
@@ -59,4 +59,4 @@ class Spec_table {
 /// A value for display in a message.
 [[nodiscard]] std::string shown_value(const toml::node& node);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

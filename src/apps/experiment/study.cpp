@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -90,4 +90,4 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
 template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&, int);
 template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&, int);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The results for one set of points.
 struct Study {
@@ -27,4 +27,4 @@ template <int d>
 extern template Study study<2>(std::vector<Coordinates<2>>, std::uint64_t, Hard_inputs&, int);
 extern template Study study<3>(std::vector<Coordinates<3>>, std::uint64_t, Hard_inputs&, int);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

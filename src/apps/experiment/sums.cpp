@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -21,4 +21,4 @@ void Sums::add(const nlohmann::ordered_json& line) {
     point_[at->second].tally += tally_of(line);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

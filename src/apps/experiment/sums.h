@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The sum of the results of experiments that differ only in their seed.
 struct Grid_point {
@@ -28,4 +28,4 @@ class Sums {
     std::map<std::string, std::size_t> place_;  // by `where` as text
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/sweep_files.h>
 
+#include <annulus/version.h>
 #include <apps/formats/decimal.h>
 #include <apps/formats/text_output.h>
 #include <apps/formats/write_json.h>
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -38,9 +39,14 @@ Json quantiles_json(const Tally& t) {
 }
 
 Json sums_json(const Spec& spec, const std::vector<Grid_point>& points) {
-    Json json{{"command", "annulus sweep"},   {"version", ANNULUS_VERSION}, {"identity", spec.identity},
-              {"title", spec.title},          {"seed", spec.seed},          {"hardest", spec.hardest},
-              {"trials", spec.trials.size()}, {"scales", scales_json()}};
+    Json json{{"command", "annulus sweep"},
+              {"version", ANNULUS_VERSION_STRING},
+              {"identity", spec.identity},
+              {"title", spec.title},
+              {"seed", spec.seed},
+              {"hardest", spec.hardest},
+              {"trials", spec.trials.size()},
+              {"scales", scales_json()}};
     Json& sums = json["sums"] = Json::array();
     for (const Grid_point& point : points) {
         Json& one = sums.emplace_back(point.where);
@@ -78,4 +84,4 @@ void write_sweep(const Spec& spec, std::string_view text, const Journal& journal
     out.write("spec.toml", text);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

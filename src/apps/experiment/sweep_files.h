@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Writes the results of a sweep: results.jsonl, sums.json, hard.jsonl, sweep.html, which depend on the specification
 /// alone; spec.toml, its `text`; and costs.jsonl, the time and memory of each trial. `entry` has the journal entry of
@@ -24,4 +24,4 @@ void write_sweep(const Spec& spec, std::string_view text, const Journal& journal
 /// The page.
 [[nodiscard]] std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -174,4 +174,4 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     return out + page_foot();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

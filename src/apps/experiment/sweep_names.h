@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The journal of an unfinished sweep, in its output directory.
 inline constexpr const char* journal_name = ".sweep-journal";
@@ -17,4 +17,4 @@ inline constexpr std::array<std::string_view, 6> sweep_results{"results.jsonl", 
     return name == journal_name || std::find(sweep_results.begin(), sweep_results.end(), name) != sweep_results.end();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

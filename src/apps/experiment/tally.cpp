@@ -10,7 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -198,4 +198,4 @@ Tally tally_of(const nlohmann::ordered_json& json) {
     return t;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

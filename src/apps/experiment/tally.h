@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Counts of samples in the bins of a Histogram.
 struct Bins {
@@ -76,4 +76,4 @@ class Certificate_tally {
 /// The inverse. Throws nlohmann's exceptions for JSON that tally_json does not write.
 [[nodiscard]] Tally tally_of(const nlohmann::ordered_json& json);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -15,7 +15,7 @@
 #include <utility>
 #include <variant>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -174,4 +174,4 @@ void estimate(Trial& t, std::uint64_t points, int dimension) {
     t.bytes = points * each + (std::uint64_t{1} << 20);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

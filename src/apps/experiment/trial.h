@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How generated points move.
 struct Trial_motion {
@@ -65,4 +65,4 @@ struct Trial_result {
 /// Sets `seconds` and `bytes` of a trial with this many points.
 void estimate(Trial& trial, std::uint64_t points, int dimension);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string_view csv_trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
@@ -65,4 +65,4 @@ bool next_csv_line(Line_reader& reader) {
     return false;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Splits a line at separators outside quotes; fields come without surrounding blanks and quotes. Quotes have a meaning
 /// only in fields that begin with one. False where one is still open at the end.
@@ -25,4 +25,4 @@ bool next_csv_line(Line_reader& reader);
 /// A text without the blanks around it.
 [[nodiscard]] std::string_view csv_trimmed(std::string_view text);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 void append_decimal(std::string& out, double value) {
     char digits[32];  // 24 are enough for any double
@@ -16,4 +16,4 @@ std::string decimal(double value) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <concepts>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Appends the shortest decimal that reads back as the same double ("nan", "inf", "-inf" for those).
 void append_decimal(std::string& out, double value);
@@ -20,4 +20,4 @@ void append_decimal(std::string& out, T value) {
 /// The shortest decimal that reads back as the same double.
 [[nodiscard]] std::string decimal(double value);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Directory_lock::Directory_lock(const std::filesystem::path& directory, Access use) noexcept
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_NONBLOCK | O_CLOEXEC)) {
@@ -16,4 +16,4 @@ Directory_lock::~Directory_lock() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Keeps other runs of annulus out of a directory while its files are replaced, or from replacing them while they are
 /// read. Waits for the lock. Does nothing where there is no such directory, or the file system has no locks.
@@ -22,4 +22,4 @@ class Directory_lock {
     int descriptor_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

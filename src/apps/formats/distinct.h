@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// For each point, the index of the first point at the same position: its own index where no earlier point is there.
 /// O(n log n).
@@ -23,4 +23,4 @@ template <int d>
     return first;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -147,4 +147,4 @@ bool File_bytes::inflate(std::string& content) {
     return true;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The bytes of a file from first to last, `-` being standard input; where its name ends in .gz (either case), or it
 /// begins like a gzip file, the unpacked bytes, all members one after the other.
@@ -60,4 +60,4 @@ class File_bytes {
 /// Whether this is standard input, `-`. A file of that name is `./-`.
 [[nodiscard]] bool is_standard_input(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

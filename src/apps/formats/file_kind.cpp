@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -64,4 +64,4 @@ std::optional<Foreign_kind> foreign_kind(std::string_view bytes) noexcept {
     return std::nullopt;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The number of leading bytes that identify a file.
 inline constexpr std::size_t telling_bytes = 8;
@@ -24,4 +24,4 @@ struct Foreign_kind {
 /// tables.
 [[nodiscard]] std::optional<Foreign_kind> foreign_kind(std::string_view bytes) noexcept;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

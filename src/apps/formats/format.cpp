@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -91,4 +91,4 @@ bool has_extension_of(const std::filesystem::path& file, Format format) {
 
 bool is_packed(const std::filesystem::path& file) { return lower_extension(file) == ".gz"; }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

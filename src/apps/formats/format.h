@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The format of a file.
 enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr, pgm, png };
@@ -38,4 +38,4 @@ inline constexpr std::array picture_formats{Format::png, Format::pgm};
 /// Whether the file's name ends in .gz, in either case.
 [[nodiscard]] bool is_packed(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident) {
@@ -45,4 +45,4 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
 template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
 template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

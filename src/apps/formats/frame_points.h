@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How to treat points at the same position in one frame.
 enum class Coincident {
@@ -31,4 +31,4 @@ template <int d>
 extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
 extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 void Raw_frame::clear() {
     points.points.clear();
@@ -72,4 +72,4 @@ Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box&
     return std::move(frame.points);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One time step as it is in the file.
 struct Raw_frame {
@@ -191,4 +191,4 @@ class Lammps_frames : public Frame_reader {
 /// The points of a file with one frame; no points for a file without frames.
 [[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The error of a file that cannot be read or has invalid content.
 ///
@@ -37,4 +37,4 @@ class Input_error : public Error {
 /// "1 column", "2 columns".
 [[nodiscard]] std::string counted(std::uint64_t count, std::string_view noun);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

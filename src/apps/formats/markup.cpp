@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

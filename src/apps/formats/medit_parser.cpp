@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -162,4 +162,4 @@ Medit_content parse_medit(const Source& source) {
     return content;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Cells with the same number of corners, and the line of each.
 template <std::size_t corners>
@@ -33,4 +33,4 @@ struct Medit_content {
 /// is accepted, since every section states its length. Throws Input_error.
 [[nodiscard]] Medit_content parse_medit(const Source& source);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

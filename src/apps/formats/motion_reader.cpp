@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -138,4 +138,4 @@ bool is_flat(const std::filesystem::path& file, const Motion_options& options) {
     return true;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

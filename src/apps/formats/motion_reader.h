@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How to treat frame numbers that are further apart than others of the file: a frame without points has no row in CSV.
 enum class Absent_frames {
@@ -82,4 +82,4 @@ class Motion_reader {
 /// Whether z is the same everywhere or absent. Reads until it differs.
 [[nodiscard]] bool is_flat(const std::filesystem::path& file, const Motion_options& options = {});
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

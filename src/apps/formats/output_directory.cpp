@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <system_error>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace fs = std::filesystem;
 
@@ -284,4 +284,4 @@ void Output_directory::clean_up() noexcept {
     made_.clear();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

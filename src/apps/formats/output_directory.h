@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The directory a run writes to: it appears as a whole on `commit()`, or not at all.
 ///
@@ -72,4 +72,4 @@ class Output_directory {
     std::vector<std::filesystem::path> files_;  ///< plain names, in the order of writing
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

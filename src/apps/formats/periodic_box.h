@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How to treat a file with a periodic box; triangulations here are not periodic.
 struct Periodic_box {
@@ -11,4 +11,4 @@ struct Periodic_box {
     const char* how = "--open";  ///< the option that does so, for the error
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -155,4 +155,4 @@ Ply_vertex_columns ply_vertex_columns(const Ply_header& header, const Line_reade
     return {*found[0], *found[1], found[2]};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 enum class Ply_format { ascii, binary_little_endian, binary_big_endian };
 
@@ -56,4 +56,4 @@ struct Ply_vertex_columns {
 /// Finds x, y and z among the properties of the one element `vertex`; faults are reported at the reader's line.
 [[nodiscard]] Ply_vertex_columns ply_vertex_columns(const Ply_header& header, const Line_reader& reader);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

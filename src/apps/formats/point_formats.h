@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Raw_faces;
 
@@ -33,4 +33,4 @@ struct Raw_points {
 /// Vertices of a Medit mesh.
 [[nodiscard]] Raw_points read_medit_points(const Source& source);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -147,4 +147,4 @@ void Csv_frames::refuse_more(const Raw_frame& frame) const {
     reader_.fail("a second frame after frame " + std::to_string(frame.number), "one frame, or no column frame");
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 bool is_gray_image(const std::filesystem::path& file) {
     return std::any_of(picture_formats.begin(), picture_formats.end(),
@@ -30,4 +30,4 @@ void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, cons
     image.height = height;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

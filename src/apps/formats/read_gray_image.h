@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Whether the name is that of a picture that `read_gray_image` takes: .png or .pgm, either case, also with .gz.
 [[nodiscard]] bool is_gray_image(const std::filesystem::path& file);
@@ -26,4 +26,4 @@ namespace annulus {
 void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,
               std::uint64_t line);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

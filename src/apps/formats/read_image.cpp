@@ -6,7 +6,7 @@
 
 #include <map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -94,4 +94,4 @@ Labelled_image read_image(const std::filesystem::path& file) {
     return image;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

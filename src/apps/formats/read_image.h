@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Reads a labelled image, INRIMAGE-4 with unsigned labels of 8 bits (.inr, or .inr.gz by gzip; either case).
 ///
@@ -14,4 +14,4 @@ namespace annulus {
 /// allocated as the file fills it, never by the header alone, and nothing is unpacked beyond the announced length.
 [[nodiscard]] Labelled_image read_image(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -205,4 +205,4 @@ void Lammps_frames::read(Raw_frame& frame) {
     read_atoms(frame, *count, box);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -62,4 +62,4 @@ Raw_points read_medit_points(const Source& source) {
     return {std::move(content.points), std::move(content.lines), content.dimension == 3};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A mesh from a file: triangles in two dimensions, tetrahedra in three, in the order and orientation of the file.
 /// Coordinates are finite; indices are from 0, name points, and differ within a cell. A file without such cells gives
@@ -29,4 +29,4 @@ struct Mesh_file {
 /// cells. Linear in the size of the file, which is held in memory.
 [[nodiscard]] std::variant<Mesh_file<2>, Mesh_file<3>> read_mesh(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Recorded_motion read_motion(const std::filesystem::path& file, const Motion_options& options) {
     Motion_reader reader(file, options);
@@ -15,4 +15,4 @@ Recorded_motion read_motion(const std::filesystem::path& file, const Motion_opti
     return motion;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

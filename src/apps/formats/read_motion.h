@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// All frames of a recorded motion at once, as Motion_reader gives them.
 [[nodiscard]] Recorded_motion read_motion(const std::filesystem::path& file, const Motion_options& options = {});
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/surface_formats.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -39,4 +39,4 @@ Raw_points read_obj(const Source& source, Raw_faces& faces) {
     return raw;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -2,7 +2,7 @@
 #include <apps/formats/point_formats.h>
 #include <apps/formats/surface_formats.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -66,4 +66,4 @@ Raw_points read_off(const Source& source, Raw_faces* wanted) {
     return raw;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

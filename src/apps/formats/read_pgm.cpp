@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -96,4 +96,4 @@ Gray_image read_pgm(const Source& source) {
     return image;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -185,4 +185,4 @@ Raw_points read_ply(const Source& source, Raw_faces* faces) {
     return raw;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <csetjmp>
 #include <cstring>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -114,4 +114,4 @@ Gray_image read_png(const Source& source) {
     return image;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -102,4 +102,4 @@ template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_o
 template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
 template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

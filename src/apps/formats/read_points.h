@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Read_options {
     /// In two dimensions, drop a z coordinate instead of refusing the file.
@@ -65,4 +65,4 @@ extern template Point_file<3> read_points<3>(const std::filesystem::path&, const
 extern template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
 extern template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -103,4 +103,4 @@ Raw_points read_stl(const Source& source, Raw_faces& faces) {
     return raw;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -110,4 +110,4 @@ Surface_file read_surface(const std::filesystem::path& file) {
     return result;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A closed triangle surface from a file.
 ///
@@ -28,4 +28,4 @@ struct Surface_file {
 /// not in two triangles. O(n log n).
 [[nodiscard]] Surface_file read_surface(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -133,4 +133,4 @@ Tetrahedra_file read_tetrahedra(const std::filesystem::path& file) {
     return mesh;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

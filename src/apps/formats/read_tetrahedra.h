@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A tetrahedral mesh from a file: positive cells that meet only in common facets, edges and corners, and their
 /// boundary.
@@ -38,4 +38,4 @@ struct Tetrahedra_file {
 /// and a boundary that crosses or touches itself. O(n log n), and the pairs of boundary facets whose boxes meet.
 [[nodiscard]] Tetrahedra_file read_tetrahedra(const std::filesystem::path& file);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/frame_readers.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 void Xyz_frames::read_row(const Xyz_columns& columns, Raw_frame& frame) {
     const auto& fields = reader_.fields();
@@ -92,4 +92,4 @@ void Xyz_frames::refuse_more(const Raw_frame& frame) const {
                  "the end of the file (one frame)");
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

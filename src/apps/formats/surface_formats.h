@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The faces of one file, unchecked: polygons of any number of corners, which may name points that do not exist.
 struct Raw_faces {
@@ -31,4 +31,4 @@ struct Raw_faces {
 /// Three points for every triangle of an STL file, ASCII or binary.
 [[nodiscard]] Raw_points read_stl(const Source& source, Raw_faces& faces);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The columns that a reader took: "x" is in "column 2 (xs)". In the order frame, id, x, y, z, as far as they are read.
 using Taken_columns = std::vector<std::pair<std::string, std::string>>;
@@ -20,4 +20,4 @@ using Taken_columns = std::vector<std::pair<std::string, std::string>>;
 /// The id of a point without an id in the file.
 inline constexpr const char* place_as_id = "its place in the frame";
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

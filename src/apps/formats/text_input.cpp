@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -223,4 +223,4 @@ void Line_reader::require_record(std::uint64_t done, std::uint64_t count, std::s
          std::to_string(count - done) + " more");
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

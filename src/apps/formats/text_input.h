@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 class File_bytes;
 
@@ -116,4 +116,4 @@ class Line_reader {
     std::vector<std::string_view> fields_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

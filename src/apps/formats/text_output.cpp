@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Text_output::Deflater {
     z_stream stream{};
@@ -125,4 +125,4 @@ void Text_output::commit() {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

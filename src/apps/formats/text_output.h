@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// "a device", "a pipe", "a socket": the kind of what this path, or a link at it, names; empty for files, directories
 /// and nothing.
@@ -47,4 +47,4 @@ class Text_output {
     std::unique_ptr<Deflater> deflater_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

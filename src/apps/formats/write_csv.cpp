@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::string write_csv(const Csv_table& table) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

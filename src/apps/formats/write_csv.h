@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One cell of a table; std::monostate is an absent value.
 using Csv_cell = std::variant<std::monostate, double, std::uint64_t, std::int64_t, std::string>;
@@ -24,4 +24,4 @@ struct Csv_table {
 /// row has another length than the header. Linear.
 [[nodiscard]] std::string write_csv(const Csv_table& table);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -62,4 +62,4 @@ void append_frame(std::string& out, Format format, std::uint64_t number, std::sp
 template void append_frame<2>(std::string&, Format, std::uint64_t, std::span<const Coordinates<2>>);
 template void append_frame<3>(std::string&, Format, std::uint64_t, std::span<const Coordinates<3>>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Appends a frame in the format of its reader (frame_readers.h); the ids of points are their indices. Format is one of
 /// frame_formats; frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the
@@ -19,4 +19,4 @@ void append_frame(std::string& out, Format format, std::uint64_t number, std::sp
 extern template void append_frame<2>(std::string&, Format, std::uint64_t, std::span<const Coordinates<2>>);
 extern template void append_frame<3>(std::string&, Format, std::uint64_t, std::span<const Coordinates<3>>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string write_part(std::span<const Coordinates<3>> points, std::span<const s
 template std::string write_mesh<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>);
 template std::string write_mesh<3>(std::span<const Coordinates<3>>, std::span<const std::array<Index, 4>>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

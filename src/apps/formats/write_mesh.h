@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The text of a Medit mesh (ASCII): triangles in two dimensions, tetrahedra in three, reference 0 throughout. Cells
 /// padded with `none` are the simplices of a flat set and have separate sections: Edges, and Triangles in 3D.
@@ -27,4 +27,4 @@ template <int d>
 extern template std::string write_mesh<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>);
 extern template std::string write_mesh<3>(std::span<const Coordinates<3>>, std::span<const std::array<Index, 4>>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

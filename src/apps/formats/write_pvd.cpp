@@ -2,7 +2,7 @@
 #include <apps/formats/markup.h>
 #include <apps/formats/write_pvd.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string write_pvd(std::span<const Pvd_entry> series) {
     std::string out =
@@ -13,4 +13,4 @@ std::string write_pvd(std::span<const Pvd_entry> series) {
     return out + "  </Collection>\n</VTKFile>\n";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A file of a series, and its time.
 struct Pvd_entry {
@@ -18,4 +18,4 @@ struct Pvd_entry {
 /// The text of a ParaView collection (.pvd): .vtu files that are a series in time.
 [[nodiscard]] std::string write_pvd(std::span<const Pvd_entry> series);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <bit>
 #include <new>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -134,4 +134,4 @@ template std::string write_vtu<2>(std::span<const Coordinates<2>>, std::span<con
 template std::string write_vtu<3>(std::span<const Coordinates<3>>, std::span<const std::array<Index, 4>>,
                                   std::span<const Vtu_field>, std::span<const Vtu_field>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A name and values, one for each point or one for each cell.
 struct Vtu_field {
@@ -34,4 +34,4 @@ extern template std::string write_vtu<2>(std::span<const Coordinates<2>>, std::s
 extern template std::string write_vtu<3>(std::span<const Coordinates<3>>, std::span<const std::array<Index, 4>>,
                                          std::span<const Vtu_field>, std::span<const Vtu_field>);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -143,4 +143,4 @@ Xyz_comment parse_xyz_comment(const Line_reader& reader) {
     return result;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The columns of the coordinates in a row of XYZ.
 struct Xyz_columns {
@@ -33,4 +33,4 @@ struct Xyz_comment {
 /// `CELL(abcABC): ..`.
 [[nodiscard]] Xyz_comment parse_xyz_comment(const Line_reader& reader);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -113,4 +113,4 @@ bool Xyz_guess::x_may_be_an_id() const noexcept {
     return columns_.all == 3 && rows_ >= 3 && integers_[0] && !integers_[1] && !integers_[2];
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

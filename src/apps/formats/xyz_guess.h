@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The columns of the coordinates in rows of XYZ without `Properties`. Only unambiguous rows are accepted: a first
 /// column is skipped if it is an element in every row, and numbers beyond x, y and z only where no other columns can be
@@ -49,4 +49,4 @@ class Xyz_guess {
 /// Whether this looks like a row of points: two or more numbers, perhaps after a word.
 [[nodiscard]] bool looks_like_row(const std::vector<std::string_view>& fields);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Ball_3::Ball_3(double radius) : radius_(radius) {
     if (!(radius >= 1e-100 && radius <= 1e100))
@@ -54,4 +54,4 @@ Domain_3::Box Ball_3::bounding_box() const { return {{-radius_, -radius_, -radiu
 
 double Ball_3::volume() const { return 4 * std::numbers::pi / 3 * radius_ * radius_ * radius_; }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

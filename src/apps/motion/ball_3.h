@@ -3,7 +3,7 @@
 
 #include <apps/motion/domain_3.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The ball with its centre at the origin.
 class Ball_3 final : public Domain_3 {
@@ -24,4 +24,4 @@ class Ball_3 final : public Domain_3 {
     double radius_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Calls node(u, d) for Gauss nodes u (offset from the cell's origin) on the straight edge from a to b; d is the
 /// tangent times the weight, so that a line integral of a field F is the sum of cross(F(u), d). The edge is cut into
@@ -49,4 +49,4 @@ void arc_nodes(const Coordinates<2>& origin, const Coordinates<2>& a, const Coor
         }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

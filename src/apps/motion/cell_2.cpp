@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 double angle_spanned(const Coordinates<2>& p, const Coordinates<2>& d) {
     // cross(p, p + d) = cross(p, d) without the cancellation.
@@ -106,4 +106,4 @@ void Clipper_2::write_corners(std::vector<Corner_2>& corners) const {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A corner of a 2D cell, as an offset (unit: length) from the cell's origin, and the kind of edge to the next corner.
 struct Corner_2 {
@@ -72,4 +72,4 @@ class Clipper_2 {
     std::vector<Tagged> corner_, next_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

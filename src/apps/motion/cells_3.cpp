@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span
     return all;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The finite cells of a 3D triangulation, as plain arrays.
 struct Cells_3 {
@@ -49,4 +49,4 @@ struct Cell_moment {
 [[nodiscard]] std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside,
                                                                int threads = 1);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

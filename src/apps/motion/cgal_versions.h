@@ -13,7 +13,7 @@
 #include <boost/variant.hpp>
 #endif
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // Up to 5.6 CGAL returns variants and optionals of Boost, from 6.0 on those of C++.
 #if CGAL_VERSION_NR >= 1060000000
@@ -38,4 +38,4 @@ template <class T, class... U>
 #endif
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -182,4 +182,4 @@ std::vector<Coordinates<2>> convex_ring(std::span<const Coordinates<2>> corners)
     return kept;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

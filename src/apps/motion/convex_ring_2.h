@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The error of a list of corners that is not a convex polygon, with the corner at which that shows.
 class Corner_error : public Error {
@@ -37,4 +37,4 @@ class Corner_error : public Error {
 /// O(corners).
 [[nodiscard]] std::vector<Coordinates<2>> convex_ring(std::span<const Coordinates<2>> corners);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

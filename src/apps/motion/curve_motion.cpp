@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Curve_motion::Curve_motion(std::shared_ptr<const Feature_curves> features, std::vector<Feature_curves::Place> places)
     : features_(std::move(features)), places_(std::move(places)), vertices_(features_->curves().size()) {
@@ -44,4 +44,4 @@ Coordinates<3> Curve_motion::place(const Target_on_curve& wish, double share, do
     return features_->curves()[static_cast<std::size_t>(wish.curve)].at(wish.at + std::clamp(share * way, -most, most));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Natural ODT on the sharp edges of a surface: the target of a vertex on a curve is the mean of the midpoints of the
 /// two pieces of the curve beside it, weighted with their lengths, which is the middle between its neighbours; a corner
@@ -43,4 +43,4 @@ class Curve_motion {
     std::vector<std::vector<Index>> vertices_;  ///< by curve
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string_view name_of(Density density) {
     switch (density) {
@@ -72,4 +72,4 @@ double density_upper_bound(Density density, const Extent_2& extent) {
     return 1;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

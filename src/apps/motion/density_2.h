@@ -8,7 +8,7 @@
 #include <string_view>
 #include <variant>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The densities of the paper's section 4.1, functions of the position in the caller's unit of length.
 enum class Density {
@@ -56,4 +56,4 @@ struct Extent_2 {
 /// The same; attained for a formula only.
 [[nodiscard]] double density_upper_bound(const Density_2& density, const Extent_2& extent);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The cosines of the six dihedral angles of a tetrahedron, of either orientation; NaN where a facet has no area. Plain
 /// doubles: near 1 or -1 an angle is known to about 1e-8 only.
@@ -31,4 +31,4 @@ namespace annulus {
     return cosines;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -53,4 +53,4 @@ void rest_where_equal(std::span<const Coordinates<3>> position, std::span<Coordi
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -17,7 +17,7 @@
 #include <numbers>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -149,4 +149,4 @@ Cell_2 Domain_2::whole(const Coordinates<2>& origin) const {
     return cell;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A bounded convex 2D region with non-empty interior: a disc around (0, 0) or a convex polygon. Immutable.
 ///
@@ -82,4 +82,4 @@ class Domain_2 {
 /// rectangle.
 void require_density(const Density_2& density, const Domain_2& domain);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

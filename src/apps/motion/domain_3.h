@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A bounded open set in 3D with a closed surface around it. Immutable; const members may run concurrently.
 class Domain_3 {
@@ -42,4 +42,4 @@ class Domain_3 {
     [[nodiscard]] virtual double volume() const = 0;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -162,4 +162,4 @@ void Feature_curves::snap(std::span<Coordinates<3>> points, double reach) const 
         }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

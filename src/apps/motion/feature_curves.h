@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The sharp edges of a surface, joined to curves that run from corner to corner or are closed.
 ///
@@ -41,4 +41,4 @@ class Feature_curves {
     std::vector<Coordinates<3>> corners_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

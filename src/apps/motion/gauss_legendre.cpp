@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -73,4 +73,4 @@ const Gauss_rule& radial_rule(int size) {
     return rules[static_cast<std::size_t>(size - 1)];
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

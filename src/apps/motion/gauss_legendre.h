@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Nodes and weights on [0, 1]: the sum of weight[i] f(node[i]), i < size, is the integral of f times the rule's
 /// weight function, exactly (up to rounding) for polynomials of degree 2 size - 1.
@@ -23,4 +23,4 @@ struct Gauss_rule {
 /// Gauss-Jacobi for the weight function t, which is how area grows along a ray. Otherwise the same.
 [[nodiscard]] const Gauss_rule& radial_rule(int size);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Generated_motion<d>::Generated_motion(std::vector<Coordinates<d>> points, Motion_family family, double pace,
@@ -58,4 +58,4 @@ void Generated_motion<d>::orbit() {
 template class Generated_motion<2>;
 template class Generated_motion<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

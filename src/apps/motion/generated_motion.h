@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How points of the unit square or cube move.
 enum class Motion_family {
@@ -43,4 +43,4 @@ class Generated_motion {
 extern template class Generated_motion<2>;
 extern template class Generated_motion<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -121,4 +121,4 @@ template std::size_t grid_side<3>(std::size_t);
 template std::vector<Coordinates<2>> generate<2>(Point_family, std::size_t, std::uint64_t);
 template std::vector<Coordinates<3>> generate<3>(Point_family, std::size_t, std::uint64_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

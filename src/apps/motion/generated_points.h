@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Families of points of the unit square or cube.
 enum class Point_family {
@@ -69,4 +69,4 @@ extern template std::size_t grid_side<3>(std::size_t);
 extern template std::vector<Coordinates<2>> generate<2>(Point_family, std::size_t, std::uint64_t);
 extern template std::vector<Coordinates<3>> generate<3>(Point_family, std::size_t, std::uint64_t);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Image_density::Image_density(std::size_t width, std::size_t height, std::span<const std::uint32_t> weight)
     : width_(width), height_(height) {
@@ -49,4 +49,4 @@ double Image_density::at(const Coordinates<2>& p) const {
     return (1 - t) * row(j) + t * row(j + 1);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

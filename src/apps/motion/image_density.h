@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A density given by the pixels of an image: at the middle of a pixel its weight, in between by bilinear
 /// interpolation, and in the half pixel along the border constant outwards. It is continuous, and its integral over
@@ -54,4 +54,4 @@ class Image_density {
     std::shared_ptr<const std::vector<Node>> node_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

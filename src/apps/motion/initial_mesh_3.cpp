@@ -21,7 +21,7 @@
 #include <string>
 #include <unordered_set>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3&
     return points;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The vertices of a tetrahedral mesh of the domain by Delaunay refinement (CGAL's Mesh_3), about n of them, along a
 /// space-filling curve; no two equal.
@@ -24,4 +24,4 @@ namespace annulus {
 [[nodiscard]] std::vector<Coordinates<3>> initial_mesh(const Domain_3& domain, const Sizing_3& sizing, std::size_t n,
                                                        std::uint64_t seed, const Feature_curves* sharp = nullptr);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

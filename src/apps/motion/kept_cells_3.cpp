@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -201,4 +201,4 @@ void Kept_cells_3::measure(const Domain_3& domain, std::span<const Coordinates<3
     std::copy(position.begin(), position.end(), position_.begin());
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A positive cell with its least vertex first and the least of the others second: one of the orders that keep its
 /// orientation.
@@ -61,4 +61,4 @@ class Kept_cells_3 {
     std::vector<char> moved_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

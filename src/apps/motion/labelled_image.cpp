@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -151,4 +151,4 @@ Triangle_surface surface_of(const Labelled_image& image, std::size_t most) {
     return surface;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A box of voxels with labels; label 0 is outside. Voxel (i, j, k) has its centre at (i, j, k) times the spacing.
 struct Labelled_image {
@@ -30,4 +30,4 @@ struct Labelled_image {
 /// Linear.
 [[nodiscard]] Triangle_surface surface_of(const Labelled_image& image, std::size_t most = 128);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

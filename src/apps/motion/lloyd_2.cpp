@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -190,4 +190,4 @@ Lloyd_step Lloyd_2::step(const Stars_2& stars, std::span<const Coordinates<2>> p
     return step;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Statistics of one Lloyd iteration. Displacements in the caller's unit of length, over the vertices that are present.
 struct Lloyd_step {
@@ -78,4 +78,4 @@ class Lloyd_2 {
 /// centroid that is out of the cell by more than rounding (a cell thinner than that) becomes the mean of the corners.
 [[nodiscard]] bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offset);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A Domain_3 as a model of Mesh_3's concept MeshDomain_3: one subdomain, one surface patch.
 class Mesh_domain_3 {
@@ -119,4 +119,4 @@ class Mesh_domain_3 {
     std::atomic<bool>* stop_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
                           std::span<const Coordinates<3>> position) {
@@ -40,4 +40,4 @@ Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
     return q;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Shape of the cells of a mesh.
 struct Mesh_quality {
@@ -25,4 +25,4 @@ struct Mesh_quality {
 [[nodiscard]] Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
                                         std::span<const Coordinates<3>> position);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <apps/motion/moments_image.h>
 #include <apps/motion/moments_smooth.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -103,4 +103,4 @@ Moments_2 moments(const Density_2& density, const Coordinates<2>& origin, std::s
     return image_moments(std::get<Image_density>(density), origin, corners);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Mass and first moment of a planar region under a density.
 struct Moments_2 {
@@ -37,4 +37,4 @@ struct Moments_2 {
 [[nodiscard]] Moments_2 moments(const Density_2& density, const Coordinates<2>& origin,
                                 std::span<const Corner_2> corners);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -115,4 +115,4 @@ Moments_2 image_moments(const Image_density& density, const Coordinates<2>& orig
     return walk.moments();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Moments of a polygon under the density of an image: see `moments`. With P(x, y) the integral of the density along
 /// the row from a node near the origin to x, and Q that of density times (x - c_x), Green's theorem makes them the
@@ -21,4 +21,4 @@ namespace annulus {
 [[nodiscard]] Moments_2 image_moments(const Image_density& density, const Coordinates<2>& origin,
                                       std::span<const Corner_2> corners);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

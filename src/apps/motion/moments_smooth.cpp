@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -227,4 +227,4 @@ Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> c
     return smooth_moments(sin2, origin, corners);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The size of a region, seen from its origin.
 struct Size_2 {
@@ -51,4 +51,4 @@ struct Size_2 {
 /// The same for the density sin^2 r, r the distance from (0, 0), at several positions at a time: half the time.
 [[nodiscard]] Moments_2 sin2_moments(const Coordinates<2>& origin, std::span<const Corner_2> corners);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// State that a caller of a domain's nearest-point query keeps from one query to the next: the distances from the
 /// centre of a ball of all parts of the surface that reach into the ball. Filled and read by the domain, for queries of
@@ -23,4 +23,4 @@ struct Nearby_3 {
     std::vector<Part> parts;  ///< by `least`
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

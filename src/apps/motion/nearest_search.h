@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The squared distance of a point from a box.
 template <class Corner>
@@ -150,4 +150,4 @@ class Nearest_search {
     Nearby_3& nearby_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -287,4 +287,4 @@ Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> posi
     return total;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Statistics of one step of natural ODT. Displacements in the caller's unit of length, over all vertices of cells of
 /// the domain.
@@ -109,4 +109,4 @@ class Nodt_3 {
     Curve_motion sharp_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

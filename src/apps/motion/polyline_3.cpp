@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Polyline_3::Polyline_3(std::vector<Coordinates<3>> points) : points_(std::move(points)), up_to_{0} {
     for (std::size_t i = 1; i < points_.size(); ++i)
@@ -60,4 +60,4 @@ double Polyline_3::nearest(const Coordinates<3>& p) const {
     return way;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

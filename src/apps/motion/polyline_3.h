@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A curve of straight segments, whose points are given by their distance along it, in the caller's unit of length.
 class Polyline_3 {
@@ -44,4 +44,4 @@ class Polyline_3 {
     Box box_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

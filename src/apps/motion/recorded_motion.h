@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The positions of the points of one time step, if there are any. Ids differ; coordinates are finite.
 struct Frame {
@@ -25,4 +25,4 @@ struct Recorded_motion {
     std::vector<Frame> frames;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

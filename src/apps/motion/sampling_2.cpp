@@ -16,7 +16,7 @@
 #include <unordered_set>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& dens
     return points;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// n points of the domain, independently distributed in proportion to the density, no two equal, in the order of a
 /// space-filling curve (Hilbert's, by CGAL), so that neighbours are near each other in memory.
@@ -25,4 +25,4 @@ namespace annulus {
 [[nodiscard]] std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& density, std::size_t n,
                                                  std::uint64_t seed);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

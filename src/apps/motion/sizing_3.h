@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The target length of edges in a domain, up to a factor: mu(p) = 1 + gradation · dist(p, surface) / r, where r is the
 /// radius of the ball of the same volume. Gradation 0 is constant sizing; mu is gradation / r Lipschitz.
@@ -27,4 +27,4 @@ class Sizing_3 {
     double slope_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -103,4 +103,4 @@ void Stars_2::read(const Neighbours_2& lists) {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The finite neighbours of every vertex of a 2D triangulation, as in Neighbours_2, kept from step to step:
 /// only the lists of vertices whose triangles have changed are read again.
@@ -59,4 +59,4 @@ class Stars_2 {
     std::uint64_t readings_ = 0;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

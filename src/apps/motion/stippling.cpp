@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Stippling::Stippling(Gray_image image, bool inverted) : image_(std::move(image)), inverted_(inverted) {
     if (image_.width == 0 || image_.value.size() / image_.width != image_.height ||
@@ -48,4 +48,4 @@ double disc_radius(double area, std::size_t discs) {
     return std::sqrt(area / (std::numbers::pi * static_cast<double>(discs)));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

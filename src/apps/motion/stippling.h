@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A grey picture, row by row from the top, each from left to right: 0 is black, `white` is white.
 struct Gray_image {
@@ -50,4 +50,4 @@ class Stippling {
 /// The radius of equal discs that together have `area`.
 [[nodiscard]] double disc_radius(double area, std::size_t discs);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

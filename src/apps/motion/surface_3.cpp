@@ -24,7 +24,7 @@
 #include <random>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -293,4 +293,4 @@ std::vector<Coordinates<3>> Surface_3::surface_sample(std::size_t n, std::uint64
 Domain_3::Box Surface_3::bounding_box() const { return tree_->box; }
 double Surface_3::volume() const { return enclosed_volume(tree_->surface); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

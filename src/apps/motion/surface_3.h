@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The set that a closed triangle surface encloses: the points from which a ray crosses it an odd number of times.
 ///
@@ -45,4 +45,4 @@ class Surface_3 final : public Domain_3 {
     std::unique_ptr<const Tree> tree_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::optional<std::array<std::size_t, 2>> crossing_triangles(const Triangle_surf
     return found;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// An edge that is not in exactly two triangles that run through it in opposite directions.
 struct Edge_fault {
@@ -31,4 +31,4 @@ struct Edge_fault {
 /// indices name points, which are finite; no triangle is flat.
 [[nodiscard]] std::optional<std::array<std::size_t, 2>> crossing_triangles(const Triangle_surface& surface);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

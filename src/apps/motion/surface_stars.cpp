@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Surface_stars::Surface_stars(std::span<const std::array<Index, 3>> facets, std::size_t n)
     : begin_(n + 2, 0), link_(3 * facets.size()) {
@@ -35,4 +35,4 @@ bool Surface_stars::disc(Index v) const {
     return false;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

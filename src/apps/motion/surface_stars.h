@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The facets of a surface around each of its vertices.
 class Surface_stars {
@@ -27,4 +27,4 @@ class Surface_stars {
     std::vector<std::array<Index, 2>> link_;  ///< edges opposite of a vertex, oriented like their facets
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::optional<std::size_t> covered_twice(const Domain_3& domain, std::span<const
     return std::nullopt;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

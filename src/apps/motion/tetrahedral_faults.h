@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Defects that keep tetrahedra from being a mesh, cell by cell.
 struct Cell_fault {
@@ -46,4 +46,4 @@ struct Boundary_facets {
                                                        const std::vector<std::array<Index, 4>>& cells,
                                                        const Boundary_facets& facets);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

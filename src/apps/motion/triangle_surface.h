@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Triangles in 3D, counter-clockwise seen from outside where they bound something.
 struct Triangle_surface {
@@ -29,4 +29,4 @@ struct Triangle_surface {
     return sum / 6;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // 2D vectors in doubles, one rounding per operation.
 
@@ -16,4 +16,4 @@ inline double cross(const Coordinates<2>& a, const Coordinates<2>& b) { return a
 /// Without overflow.
 inline double norm(const Coordinates<2>& a) { return std::hypot(a[0], a[1]); }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

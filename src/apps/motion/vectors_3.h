@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 // 3D vectors in plain doubles, for motions. In the caller's unit of length.
 
@@ -26,4 +26,4 @@ namespace annulus {
     return {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

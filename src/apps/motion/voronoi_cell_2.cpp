@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 const Cell_2& Voronoi_cell_2::operator()(const Coordinates<2>& site, std::span<const Index> neighbours,
                                          std::span<const Coordinates<2>> position, bool cyclic) {
@@ -95,4 +95,4 @@ void Voronoi_cell_2::from_bisectors(const Coordinates<2>& site, std::span<const 
     for (Corner_2& corner : cell_.corners) corner.offset = minus(corner.offset, shift);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Computes Voronoi cells cut to a domain from Delaunay neighbours. Use one object per thread: it holds the work space,
 /// and allocates only while that grows. The domain must outlive it.
@@ -49,4 +49,4 @@ class Voronoi_cell_2 {
     std::vector<Half_plane_2> start_lines_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

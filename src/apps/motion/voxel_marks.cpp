@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Voxel_marks::Voxel_marks(const Domain_3::Box& box, std::size_t voxels) : box_(box) {
     double longest = 0, product = 1;
@@ -100,4 +100,4 @@ Voxel_marks::Mark Voxel_marks::of(const Coordinates<3>& p) const {
     return all != Mark::near ? all : fine_[fine_.index(at)];
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A grid over a box in which every voxel is inside a closed surface, outside, or may meet it.
 ///
@@ -67,4 +67,4 @@ class Voxel_marks {
     Marks fine_, coarse_;  // coarse_: near where the fine ones differ
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::string grouped(std::uint64_t value) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

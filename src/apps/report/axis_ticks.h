@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 struct Tick {
     double value = 0;
@@ -46,4 +46,4 @@ class Axis_range {
 /// An integer with its thousands grouped: 1,234,567.
 [[nodiscard]] std::string grouped(std::uint64_t value);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

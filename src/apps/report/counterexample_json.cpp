@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/report/counterexample_json.h>
 
-namespace annulus {
+#include <annulus/version.h>
+
+namespace annulus::inline v1 {
 
 nlohmann::ordered_json counterexample_json(const Counterexample& r, const std::string& command) {
     return {{"command", command},
-            {"version", ANNULUS_VERSION},
+            {"version", ANNULUS_VERSION_STRING},
             {"delta", r.delta},
             {"tolerance", {{"paper", r.paper}, {"certified", r.certified.tolerance}, {"exact", r.exact}}},
             {"stage", name_of(r.certified.stage)},
@@ -19,4 +21,4 @@ nlohmann::ordered_json counterexample_json(const Counterexample& r, const std::s
               {"two_cells_after", r.two_after}}}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

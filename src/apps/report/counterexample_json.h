@@ -7,9 +7,9 @@
 
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The content of counterexample.json: keys in a fixed order.
 [[nodiscard]] nlohmann::ordered_json counterexample_json(const Counterexample& result, const std::string& command);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 Picture cut_picture(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                     std::size_t axis, double at, std::string caption) {
@@ -43,4 +43,4 @@ Picture cut_picture(const Cells_3& cells, std::span<const char> inside, std::spa
     return picture;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The cells with a flag, cut by the plane x[axis] = at: the outlines of their sections, seen along the axis.
 /// Vertices on the plane count as above it. The other two axes run right and up, in their order. Linear.
@@ -15,4 +15,4 @@ namespace annulus {
                                   std::span<const Coordinates<3>> position, std::size_t axis, double at,
                                   std::string caption);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

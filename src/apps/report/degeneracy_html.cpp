@@ -5,7 +5,7 @@
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     return out + page_foot();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/version.h>
 #include <apps/formats/decimal.h>
 #include <apps/report/degeneracy_report.h>
 #include <apps/report/summary.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -52,7 +53,7 @@ double share(std::uint64_t part, std::uint64_t all) {
 
 Json degeneracy_json(const Degeneracy_record& r) {
     Json json{{"command", r.command},
-              {"version", ANNULUS_VERSION},
+              {"version", ANNULUS_VERSION_STRING},
               {"file", r.file},
               {"dimension", r.dimension},
               {"points", r.points},
@@ -97,4 +98,4 @@ Json degeneracy_json(const Degeneracy_record& r) {
     return json;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

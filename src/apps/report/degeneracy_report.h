@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The results for the points of one file.
 struct Degeneracy_record {
@@ -34,4 +34,4 @@ struct Degeneracy_record {
 /// The content of degeneracy.html: one self-contained page.
 [[nodiscard]] std::string degeneracy_html(const Degeneracy_record& record);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

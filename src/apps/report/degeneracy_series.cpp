@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/version.h>
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/report/degeneracy_series.h>
@@ -7,7 +8,7 @@
 
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -75,7 +76,7 @@ Csv_table degeneracy_table(const Degeneracy_series& series) {
 }
 
 nlohmann::ordered_json degeneracy_json(const Degeneracy_series& series) {
-    nlohmann::ordered_json json{{"command", series.command},    {"version", ANNULUS_VERSION},
+    nlohmann::ordered_json json{{"command", series.command},    {"version", ANNULUS_VERSION_STRING},
                                 {"file", series.file},          {"dimension", series.dimension},
                                 {"frames", series.rows.size()}, {"thresholds", series.thresholds}};
     append_input(json, series.input);
@@ -117,4 +118,4 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     return out + page_foot();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

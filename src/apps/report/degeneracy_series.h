@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A summary of how degenerate one frame of a motion is. Lengths are in mean spacings of the frame.
 struct Degeneracy_row {
@@ -48,4 +48,4 @@ struct Degeneracy_series {
 /// The page with its curves.
 [[nodiscard]] std::string degeneracy_html(const Degeneracy_series& series);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Drops what is outside the window, except the ends of edges that enter it.
 void Film::clip(Picture& picture) {
@@ -86,4 +86,4 @@ for (const film of document.querySelectorAll(".film")) {
 )js";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Pictures of a run of unknown length, for a page with a slider: every frame, then every second one, every fourth ..,
 /// so that there are never more than most_pictures; of many vertices only a window in the middle is shown. Memory does
@@ -42,4 +42,4 @@ class Film {
     std::optional<Window> window_;  // the part that is drawn, once there were too many vertices
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

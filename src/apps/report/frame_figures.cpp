@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -86,4 +86,4 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     return figures;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

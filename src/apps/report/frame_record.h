@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Results for one frame of a run, in the caller's units; results that were not requested are absent.
 struct Frame_record {
@@ -33,4 +33,4 @@ struct Frame_record {
 [[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
                                                 bool steps);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

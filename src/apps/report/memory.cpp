@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::uint64_t available_memory(const char* meminfo, const char* most, const char
     return std::min(of_machine, left);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The peak of this process' resident memory, in bytes; 0 where the system does not say. Never throws; a few tens of
 /// microseconds.
@@ -22,4 +22,4 @@ namespace annulus {
 /// The same from files of the form of /proc/meminfo, and memory.max and memory.current of a control group.
 [[nodiscard]] std::uint64_t available_memory(const char* meminfo, const char* most, const char* used) noexcept;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 #include <apps/report/report_style.h>
 #include <apps/report/table.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string page_head(const std::string& title, const std::string& command) {
     std::string out =
@@ -73,4 +73,4 @@ void append_notes(std::string& out, const std::vector<std::string>& notes) {
     for (const std::string& note : notes) out += "<p>" + escaped(note) + "</p>\n";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <vector>
 
 // The parts of every HTML page of the tool. Parameters called HTML are inserted unchanged, all other text is escaped.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Everything before the content: head, style sheet, title and the command, if there is one.
 [[nodiscard]] std::string page_head(const std::string& title, const std::string& command);
@@ -39,4 +39,4 @@ void append_warnings(std::string& out, const std::vector<std::string>& warnings)
 /// Paragraphs under "Notes"; nothing where there are none.
 void append_notes(std::string& out, const std::vector<std::string>& notes);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

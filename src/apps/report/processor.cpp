@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string processor_name() {
     return processor_name(cpuinfo, ::uname(&system) == 0 ? system.machine : "");
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The processor's name for display: from /proc/cpuinfo (Linux), else the architecture, else "unknown processor".
 [[nodiscard]] std::string processor_name();
@@ -16,4 +16,4 @@ namespace annulus {
 /// consists of these.
 [[nodiscard]] std::string processor_name(std::istream& cpuinfo, const std::string& architecture);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

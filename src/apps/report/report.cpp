@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string report_html(const Report& report) {
     return out + page_foot();
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

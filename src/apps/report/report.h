@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The distribution of the standard annulus widths at one iteration, in mean spacings.
 struct Width_distribution {
@@ -43,4 +43,4 @@ struct Report {
 /// Linear in its content.
 [[nodiscard]] std::string report_html(const Report& report);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

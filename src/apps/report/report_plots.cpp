@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
              curves}};
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Mean displacement, tolerance and standard annulus width over the iterations (figure 6a of the paper), then the
 /// distributions of the width (figure 6b). Panels without data are left out.
@@ -20,4 +20,4 @@ namespace annulus {
 /// Cumulative seconds of every strategy (figure 7 of the paper), linear and logarithmic.
 [[nodiscard]] std::vector<Plot> comparison_plots(const Comparison_record& comparison);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <annulus/arithmetic/standard.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The style sheet of reports. The colours of curves c0 to c6 are Okabe and Ito's, which remain distinguishable under
 /// all common kinds of colour blindness, darkened on light pages and lightened on dark ones until a thin line has
@@ -74,4 +74,4 @@ stroke-dasharray:none!important}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent on updating the
 /// triangulation and its tolerances, and nothing else: the first triangulation and its tolerances belong to no step,
@@ -108,4 +108,4 @@ struct Comparison_record {
     bool interrupted = false;                ///< then the runs have different numbers of steps, and there is no verdict
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/error.h>
+#include <annulus/version.h>
 #include <apps/report/summary.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -67,7 +68,7 @@ Json summary_json(const Run_record& run) {
     json["arithmetic"] =
         Json{{"filter", run.arithmetic.filter}, {"interval", run.arithmetic.interval}, {"exact", run.arithmetic.exact}};
     json["audit"] = Json{{"checked", run.audit.checked}, {"failed", run.audit.failed}};
-    json["version"] = ANNULUS_VERSION;
+    json["version"] = ANNULUS_VERSION_STRING;
     json["seconds_construction"] = run.seconds.construction;
     if (run.interrupted) json["interrupted"] = true;
     json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes == 0 ? Json() : Json(run.memory_peak_bytes)}};
@@ -85,7 +86,7 @@ Json summary_json(const Run_record& run) {
 Json compare_json(const Comparison_record& comparison) {
     Json json;
     if (!comparison.runs.empty()) json["command"] = comparison.runs[0].command;
-    json["version"] = ANNULUS_VERSION;
+    json["version"] = ANNULUS_VERSION_STRING;
     if (comparison.interrupted) json["interrupted"] = true;
     else json["agree"] = comparison.agree;
     if (!comparison.runs.empty()) append_input(json, comparison.runs[0].input);
@@ -160,4 +161,4 @@ Csv_table dihedral_table(const Run_record& run) {
     return table;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The content of summary.json: the keys of every run in a fixed order, then memory and the unit of length. Only an
 /// interrupted run has `interrupted`.
@@ -29,4 +29,4 @@ void append_input(nlohmann::ordered_json& json, const Input_record& input);
 /// and after each measured step.
 [[nodiscard]] Csv_table dihedral_table(const Run_record& run);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

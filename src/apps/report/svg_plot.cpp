@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -254,4 +254,4 @@ std::string svg_plot(const Plot& plot) {
     return out + "</svg>";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 enum class Scale { linear, log10 };
 
@@ -47,4 +47,4 @@ struct Plot {
 /// points.
 [[nodiscard]] std::string svg_plot(const Plot& plot);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string svg_stipples(std::size_t width, std::size_t height, std::span<const Coordinates<2>> points,
                          std::span<const double> radii, bool white_on_black) {
@@ -39,4 +39,4 @@ std::string svg_stipples(std::size_t width, std::size_t height, std::span<const 
     return out + "</g>\n</svg>\n";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

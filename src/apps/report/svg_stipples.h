@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Discs as a separate SVG document, one unit per pixel of the original picture: the rectangle [0, width] x [0,
 /// height], y upwards. One radius for each point, or one for all. Black on white, or white on black. Coordinates are
@@ -15,4 +15,4 @@ namespace annulus {
 [[nodiscard]] std::string svg_stipples(std::size_t width, std::size_t height, std::span<const Coordinates<2>> points,
                                        std::span<const double> radii, bool white_on_black);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

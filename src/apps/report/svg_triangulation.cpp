@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <limits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -161,4 +161,4 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     return out + "</svg>";
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

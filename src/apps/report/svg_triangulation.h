@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut.
 struct Picture {
@@ -35,4 +35,4 @@ struct Window {
 /// there are few enough to tell apart. Throws Error(unknown_vertex) for an edge that names no point. Linear.
 [[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

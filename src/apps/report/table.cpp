@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -57,4 +57,4 @@ void append_table(std::string& out, const std::vector<std::string>& head, const 
 
 std::string table_script() { return std::string("<script>") + script + "</script>\n"; }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A cell of a wide table: its content, HTML, and the number by which it is sorted, where that is not its text.
 struct Table_cell {
@@ -29,4 +29,4 @@ void append_table(std::string& out, const std::vector<std::string>& head, const 
 /// The script that sorts, for the end of a page. It has no effect without a sortable table.
 [[nodiscard]] std::string table_script();
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <deque>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -158,4 +158,4 @@ Benchmark_record benchmark(Scene<d>& scene, const Benchmark_plan& plan, const Be
 template Benchmark_record benchmark<2>(Scene<2>&, const Benchmark_plan&, const Benchmark_listener&);
 template Benchmark_record benchmark<3>(Scene<3>&, const Benchmark_plan&, const Benchmark_listener&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// What is run on one motion, and measured on the way.
 struct Benchmark_plan {
@@ -42,4 +42,4 @@ template <int d>
 extern template Benchmark_record benchmark<2>(Scene<2>&, const Benchmark_plan&, const Benchmark_listener&);
 extern template Benchmark_record benchmark<3>(Scene<3>&, const Benchmark_plan&, const Benchmark_listener&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -145,4 +145,4 @@ Attack_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> 
     return r;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

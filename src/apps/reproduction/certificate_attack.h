@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Positions at which a certificate fails although each of its points moves less far than its reach. The points are
 /// those of a bi-cell {a, b, c, p, q}, or of a cell or a hull ridge {a, b, c, d}, in the order of the predicates; the
@@ -23,4 +23,4 @@ namespace annulus {
 [[nodiscard]] Attack_record attack(Moving_delaunay_3& dt, std::span<const std::vector<Index>> certificates,
                                    std::uint64_t most, std::uint64_t audits);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -116,4 +116,4 @@ template Degeneracy_count_record count_degeneracy<2>(const Moving_delaunay_2&,
 template Degeneracy_count_record count_degeneracy<3>(const Moving_delaunay_3&,
                                                      const std::function<void(std::span<const Index>)>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

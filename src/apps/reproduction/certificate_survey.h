@@ -9,7 +9,7 @@
 #include <span>
 #include <type_traits>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 using Moving_of = std::conditional_t<d == 2, Moving_delaunay_2, Moving_delaunay_3>;
@@ -40,4 +40,4 @@ extern template Degeneracy_count_record count_degeneracy<2>(const Moving_delauna
 extern template Degeneracy_count_record count_degeneracy<3>(const Moving_delaunay_3&,
                                                             const std::function<void(std::span<const Index>)>&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

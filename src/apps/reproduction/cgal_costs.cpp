@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -102,4 +102,4 @@ template double time_relocation<3>(std::span<const Coordinates<3>>, std::span<co
 template Operation_record time_operations<2>(const Moving_delaunay_2&);
 template Operation_record time_operations<3>(const Moving_delaunay_3&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

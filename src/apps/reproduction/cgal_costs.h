@@ -4,7 +4,7 @@
 #include <apps/reproduction/certificate_survey.h>
 
 // The time that CGAL needs for the operations that the paper measures: processor time of one thread.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Seconds of CGAL's insertion of a range into an empty triangulation: the paper's rebuilding. Making the points
 /// beforehand and destroying the object afterwards are not counted.
@@ -30,4 +30,4 @@ extern template double time_relocation<3>(std::span<const Coordinates<3>>, std::
 extern template Operation_record time_operations<2>(const Moving_delaunay_2&);
 extern template Operation_record time_operations<3>(const Moving_delaunay_3&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

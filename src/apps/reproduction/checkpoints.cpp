@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -104,4 +104,4 @@ void Checkpoints::write(const std::string& name, const std::string& text) const 
     std::filesystem::rename(unfinished, directory_ / name);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

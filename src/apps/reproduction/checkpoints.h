@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The finished parts of an unfinished reproduction: a directory with a file for each benchmark, and one that
 /// identifies the reproduction. A file is complete or absent.
@@ -33,4 +33,4 @@ class Checkpoints {
     int head_ = -1;  ///< descriptor of the file that identifies the reproduction
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -14,7 +14,7 @@
 #include <vector>
 
 // Numbers of claims as text.
-namespace annulus {
+namespace annulus::inline v1 {
 
 [[nodiscard]] inline std::string percent(double share) {
     char text[32];
@@ -112,4 +112,4 @@ template <class Value>
     return value >= 2 * claimed ? Claim_verdict::further : agree_if(value >= 0.9 * claimed);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

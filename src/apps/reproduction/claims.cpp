@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/claim_words.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::string name_of(Claim_verdict verdict) {
     switch (verdict) {
@@ -37,4 +37,4 @@ std::vector<Claim> claims_of(const Reproduction& reproduction) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The verdict on a claim. `further`: more than the paper claims; `open`: it was not run, or not far enough.
 enum class Claim_verdict { agrees, further, differs, wrong, open };
@@ -38,4 +38,4 @@ void append_mesh_speed_claims(const Reproduction& reproduction, std::vector<Clai
 void append_mesh_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 void append_quality_claims(const Reproduction& reproduction, std::vector<Claim>& out);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

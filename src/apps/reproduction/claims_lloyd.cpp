@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Section 4.1 of the paper: Lloyd iterations in 2D.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -140,4 +140,4 @@ void append_lloyd_claims(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(c);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

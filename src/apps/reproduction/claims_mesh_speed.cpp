@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Section 4.2 and the conclusion of the paper: the speed of the paper's algorithm in 3D, and where it begins to pay.
-namespace annulus {
+namespace annulus::inline v1 {
 
 Claim switch_claim(const std::vector<const Benchmark_record*>& benchmarks, const char* figure, const char* where,
                    double claimed) {
@@ -194,4 +194,4 @@ void append_mesh_speed_claims(const Reproduction& r, std::vector<Claim>& out) {
     append_hybrid(r, out);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Section 4.2 of the paper: the quality of meshes.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -114,4 +114,4 @@ void append_quality_claims(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(c);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Sections 1 and 3 of the paper: the cost of relocating a vertex, and when it is worth while.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -178,4 +178,4 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
     append_removal(r, out);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

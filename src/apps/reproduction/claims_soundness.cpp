@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Sections 2.2, 2.3 and 3.2 of the paper: soundness of tolerances.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -136,4 +136,4 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
     out.push_back(c);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -2,7 +2,7 @@
 #include <apps/reproduction/claim_words.h>
 
 // Section 3.2 and figure 4 of the paper: theta and rounding.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -93,4 +93,4 @@ void append_stability_claims(const Reproduction& r, std::vector<Claim>& out) {
     append_growth(space, "in space", out);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

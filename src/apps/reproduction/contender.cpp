@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 template <int d>
 Contender<d>::Contender(Contender_plan plan, std::span<const Coordinates<d>> points, std::uint64_t seed)
@@ -130,4 +130,4 @@ Contender_record Contender<d>::finish() {
 template class Contender<2>;
 template class Contender<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// How one strategy of a benchmark follows the motion.
 struct Contender_plan {
@@ -63,4 +63,4 @@ class Contender {
 extern template class Contender<2>;
 extern template class Contender<3>;
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

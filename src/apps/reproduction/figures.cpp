@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 std::vector<Page_content> reproduction_pages(const Reproduction& reproduction) {
     std::vector<Page_content> out;
@@ -85,4 +85,4 @@ Plot width_plot(const Benchmark_record& benchmark) {
     return plot;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

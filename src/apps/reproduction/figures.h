@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A picture or a plot of a page, and its data.
 struct Panel {
@@ -51,4 +51,4 @@ void append_plot(Page_content& page, std::vector<Panel>& panels, const Plot& plo
 [[nodiscard]] Plot convergence_plot(const Benchmark_record& benchmark);
 [[nodiscard]] Plot width_plot(const Benchmark_record& benchmark);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

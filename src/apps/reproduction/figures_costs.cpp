@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 // Figures 11 and 12: failures, updates, speed-up.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -185,4 +185,4 @@ void append_cost_pages(const Reproduction& r, std::vector<Page_content>& out) {
     out.push_back(std::move(movers));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

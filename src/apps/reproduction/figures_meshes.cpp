@@ -3,7 +3,7 @@
 #include <apps/reproduction/figures.h>
 
 // Figures 8 to 10, slivers and locks: the quality of meshes.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -142,4 +142,4 @@ void append_mesh_pages(const Reproduction& r, std::vector<Page_content>& out) {
     out.push_back(std::move(locks));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

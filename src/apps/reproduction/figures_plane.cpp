@@ -3,7 +3,7 @@
 #include <apps/reproduction/figures.h>
 
 // Figures 5 to 7: Lloyd iterations.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -107,4 +107,4 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
     out.push_back(std::move(seven));
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

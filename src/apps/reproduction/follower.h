@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The paper's filtering algorithm (3.2), which also lists the vertices that fail.
 template <int d>
@@ -81,4 +81,4 @@ class Follower {
     Engine<d> engine_;  // owns the strategy
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Uniform random points of the unit square or cube. At each step a newly drawn share of them moves, each in its own
 /// direction by `pace` mean spacings; the others stay.
@@ -55,4 +55,4 @@ class Partial_motion_scene final : public Scene<d> {
     std::vector<std::size_t> order_;
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

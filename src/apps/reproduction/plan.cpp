@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -224,4 +224,4 @@ std::vector<Part_plan> reproduction_parts(const Reproduction_size& size) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

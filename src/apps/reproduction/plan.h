@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The names of parts that can be selected: fig5 .. fig12, slivers, locked, movers.
 [[nodiscard]] const std::vector<std::string>& reproduction_topics();
@@ -35,4 +35,4 @@ struct Part_plan {
 /// The benchmarks of a reproduction, in the order in which they are run.
 [[nodiscard]] std::vector<Part_plan> reproduction_parts(const Reproduction_size& size);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

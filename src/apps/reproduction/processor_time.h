@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Processor time of this thread in seconds: the time in which other processes run does not count.
 [[nodiscard]] inline double processor_seconds() {
@@ -19,4 +19,4 @@ namespace annulus {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -174,4 +174,4 @@ const Quality_record* quality_at(const Benchmark_record& benchmark, std::uint64_
     return find_step(benchmark.qualities, step);
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 #include <vector>
 
 // Statistics of records: nothing is measured here.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// Null if there is none with that name.
 [[nodiscard]] const Contender_record* contender_of(const Benchmark_record& benchmark, const std::string& name);
@@ -57,4 +57,4 @@ namespace annulus {
 [[nodiscard]] const Certificate_survey_record* survey_at(const Benchmark_record& benchmark, std::uint64_t step);
 [[nodiscard]] const Quality_record* quality_at(const Benchmark_record& benchmark, std::uint64_t step);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 #include <iterator>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Contender_record, name, first_seconds, precompute_seconds, step, seconds, asked,
                                    failed, requeued, changed, evaluated, audits, audits_failed, first_fault,
@@ -66,4 +66,4 @@ Benchmark_record parse_race(const std::string& text) {
     }
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 
 // Measurements of the reproduction as values: stored as the parts of an unfinished reproduction, and the only input of
 // its pages. Lengths are in mean spacings, seconds are processor time of one thread.
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// One strategy along a benchmark. The vectors have an entry for each step that was followed.
 struct Contender_record {
@@ -126,4 +126,4 @@ struct Benchmark_record {
 /// Throws Error(bad_input) for anything else.
 [[nodiscard]] Benchmark_record parse_race(const std::string& text);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

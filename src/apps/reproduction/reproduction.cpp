@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/reproduction.h>
 
+#include <annulus/version.h>
 #include <apps/formats/markup.h>
 #include <apps/formats/write_json.h>
 #include <apps/report/axis_ticks.h>
@@ -12,7 +13,7 @@
 
 #include <algorithm>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -129,7 +130,7 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
 
 nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& claims) {
     nlohmann::ordered_json out{{"command", r.command},
-                               {"version", ANNULUS_VERSION},
+                               {"version", ANNULUS_VERSION_STRING},
                                {"machine", r.machine},
                                {"quick", r.size.quick},
                                {"seed", r.size.seed}};
@@ -219,4 +220,4 @@ std::vector<Result_file> reproduction_files(const Reproduction& r) {
     return out;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

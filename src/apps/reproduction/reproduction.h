@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The input of the pages of a reproduction.
 struct Reproduction {
@@ -32,4 +32,4 @@ struct Result_file {
 /// index.html with the claims of the paper and our results, a page for each figure with its numbers, reproduction.json.
 [[nodiscard]] std::vector<Result_file> reproduction_files(const Reproduction& reproduction);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

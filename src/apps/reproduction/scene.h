@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// A motion that the paper measured: the first positions of points, and their positions after each step, whichever
 /// strategy follows them.
@@ -30,4 +30,4 @@ class Scene {
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

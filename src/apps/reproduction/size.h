@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 /// The extent of a reproduction.
 struct Reproduction_size {
@@ -16,4 +16,4 @@ struct Reproduction_size {
     bool surfaces = false;            ///< whether the paper's surfaces, or substitutes, are available
 };
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -57,4 +57,4 @@ Stability_record measure_stability(const Moving_of<d>& dt) {
 template Stability_record measure_stability<2>(const Moving_delaunay_2&);
 template Stability_record measure_stability<3>(const Moving_delaunay_3&);
 
-}  // namespace annulus
+}  // namespace annulus::inline v1

@@ -7,7 +7,7 @@
 #include <cmath>
 
 // Cases in which the paper's tolerance is too large: five points, and every run.
-namespace annulus {
+namespace annulus::inline v1 {
 
 namespace {
 
@@ -131,4 +131,4 @@ Page_content unsound_page(const Reproduction& r) {
     return page;
 }
 
-}  // namespace annulus
+}  // namespace annulus::inline v1
