@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The strategy `filter` (docs/theory.md 5.1 and 5.2; src/annulus/engine/filter*.cpp, odometers*.cpp) as a program: odometers, expiries, lists, what is
-   looked at, what is written, rebase, undoing. Definitions only: algorithm_step.v proves what they keep, algorithm_run.v what follows for any
-   sequence of calls.
+(* The strategy `tolerances`, here `filter` (docs/theory.md 5.1 and 5.2; src/annulus/engine/tolerance_strategy*.cpp, displacement_budget*.cpp), as a
+   program: odometers (displacement budgets), expiries, lists, what is looked at, what is written, rebase, undoing. Definitions only:
+   algorithm_step.v proves what they keep, algorithm_run.v what follows for any sequence of calls.
 
-   Functions have the names of the code, and do what it does, one after another. Expiries are the 32 bits of the code (high_word.v), lists those of
+   Functions do what those of the code do, one after another. Expiries are the 32 bits of the code (high_word.v), lists those of
    algorithm_list.v. What the program is given is in the classes below: positions of any metric space, arithmetic that errs on the side that is named
    (`laws`; filter_doubles.v shows that of the code), certificates and what a tolerance promises (`evaluated`), and Repair, which
    may do anything to the mesh that `repaired` allows. Of a record `reference`, `origin` and `allowance` are not in the code: they say what

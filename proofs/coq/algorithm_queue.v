@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The queue of the paper's filtering algorithm: `filter-each` with the tolerances `paper` and `floating` (docs/theory.md 5.5;
-   src/annulus/engine/paper_queue.cpp; paper 3.2), as a program, with an oracle for what evaluation says.
+(* The queue of the paper's filtering algorithm: the strategies `paper` and `paper-hybrid` (docs/theory.md 5.5;
+   src/annulus/published/paper_strategy.cpp; paper 3.2), as a program, with an oracle for what evaluation says.
 
    - processed_rests      a vertex that was processed has D = 0, and keeps it for the rest of the call
    - process_forgets      a vertex that is processed has no bound but those that evaluation gives it then

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-CHECK_ROOMS = sys.argv.pop(1)
+CHECK_MODULES = sys.argv.pop(1)
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 HEADER = SPDX + "#pragma once\n"
 STANDARD = "#include <annulus/arithmetic/standard.h>\n"
@@ -30,14 +30,14 @@ CLEAN = {
 }
 
 
-class CheckRooms(unittest.TestCase):
+class CheckModules(unittest.TestCase):
     def check(self, planted):
         with tempfile.TemporaryDirectory() as root:
             for name, text in {**CLEAN, **planted}.items():
                 path = Path(root, name)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
-            return subprocess.run([CHECK_ROOMS, root], capture_output=True, text=True, check=False)
+            return subprocess.run([CHECK_MODULES, root], capture_output=True, text=True, check=False)
 
     def rejects(self, name, text, line):
         result = self.check({name: text})
@@ -50,14 +50,14 @@ class CheckRooms(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("0 violations, 0 warnings", result.stdout)
 
-    def test_room_below(self):
+    def test_module_below(self):
         self.rejects("src/annulus/arithmetic/up.h", HEADER + "\n#include <annulus/predicate/bounds.h>\n", 4)
         self.rejects("src/apps/formats/deep/er.cpp", SPDX + "  #  include <apps/cli/x.h>\n", 2)
 
     def test_line_after_a_block_comment(self):
         self.rejects("src/apps/formats/x.h", HEADER + "/* one\ntwo */\n#include <apps/cli/x.h>\n", 5)
 
-    def test_public_header_from_a_room(self):
+    def test_public_header_from_a_module(self):
         self.rejects("src/apps/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
         self.assertEqual(self.check({"src/annulus/version.h": HEADER, "src/apps/motion/lloyd.cpp": SPDX
                                      + "#include <annulus/version.h>\n"}).returncode, 0)
@@ -90,7 +90,7 @@ class CheckRooms(unittest.TestCase):
                        "annulus/measure", "annulus/c", "apps/formats", "apps/report", "apps/cli"):
             self.rejects(f"src/{module}/x.cpp", SPDX + "#include <CGAL/Object.h>\n", 2)
 
-    def test_unknown_room(self):
+    def test_unknown_module(self):
         self.rejects("src/annulus/attic/x.cpp", SPDX, 1)
         self.rejects("src/annulus/motion/x.cpp", SPDX, 1)  # in the other part
         self.rejects("src/apps/measure/x.cpp", SPDX, 1)
