@@ -4,7 +4,7 @@
 foreach(name IN ITEMS
         "After any calls in space under any strategy the audit passes and the cells are those of a rebuild"
         "A failed call leaves everything as it was, with the right code"
-        "A settled tolerance in space is never above what its certificates allow and within 0.2 % of it"
+        "A recomputed tolerance in space is never above what its certificates allow and within 0.2 % of it"
         "A lattice, a prism and a sphere that move and return many times are still Delaunay"
         "After a refused call in space the flips that it took back do no harm"
         "bi-cells of space: every stage is sound, tight and has the exact sign"

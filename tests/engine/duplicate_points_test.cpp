@@ -137,7 +137,7 @@ void check_everything(const Positions<d>& points, const Options& options) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("Every collision names both vertices, dimension", "[errors]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Every duplicate point names both vertices, dimension", "[errors]", ((int d), d), 2, 3) {
     for (const Positions<d>& points : point_sets<d>())
         for (const Strategy strategy : strategies)
             for (const bool listing : {false, true}) {

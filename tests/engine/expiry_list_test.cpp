@@ -15,7 +15,7 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-TEST_CASE("An expiry is reached by the readings that are not below it", "[relocation]") {
+TEST_CASE("An expiry is reached by the path lengths that are not below it", "[relocation]") {
     REQUIRE(for_all([](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 1000; ++i) {
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("No certificate expires that its vertex' list does not na
                 list.put_new(expiry, ids);
             }
         }
-        RC_TAG(dry > 0 ? "star_walks" : "no tour");
+        RC_TAG(dry > 0 ? "star_walks" : "no star walk");
     }));
 }
 

@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE_SIG("Flips and relocations are counted as what they are", "[f
     CHECK(dt.audit().delaunay());
 }
 
-TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("What stands at a free index has no say", "[faults]", ((int d), d), 2, 3) {
     const auto x = uniform<d>(60, 3);
     Moving<d> clean(std::span<const Coordinates<d>>(x), {});
     Moving<d> other(std::span<const Coordinates<d>>(x), {});
@@ -117,7 +117,7 @@ TEMPLATE_TEST_CASE_SIG("What stands at a vacant index has no say", "[faults]", (
     CHECK(other.audit().delaunay());
 }
 
-TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no heap of collisions", "[faults]",
+TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no heap of duplicate points", "[faults]",
                        ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::relocate, Strategy::in_place, Strategy::tolerances_each}) {
         const auto x = uniform<d>(d == 2 ? 1500 : 300, 4);

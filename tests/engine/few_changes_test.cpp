@@ -57,7 +57,7 @@ void check_few(Strategy strategy) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("What few vertices change is listed at their price, dimension", "[engine]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("What few vertices change is listed at their cost, dimension", "[engine]", ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::tolerances}) {
         check_few<d, Moving_mesh<d>>(strategy);
         check_few<d, Delaunay_of<d>>(strategy);

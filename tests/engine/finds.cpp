@@ -30,7 +30,7 @@ TEST_CASE("A vertex that crosses the hull does not leave a border that winds twi
     holds_everywhere({{}, {{0, 3}, {5, 15}, {15, 8}, {10, 13}, {10, 14}}, {recompute_tolerances(), move(1, {5, 8})}});
 }
 
-TEST_CASE("A collision beyond the hull is noticed", "[finds]") {
+TEST_CASE("A duplicate point beyond the hull is noticed", "[finds]") {
     holds_everywhere({{}, {{14, 6}, {1, 9}, {10, 10}, {13, 14}, {9, 12}}, {move(3, {14, 6})}});
 }
 

@@ -99,7 +99,7 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     });
 }
 
-TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the price a vertex does not grow, dimension",
+TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the cost a vertex does not grow, dimension",
                        "[repair]", ((int d), d), 2, 3) {
     const auto cost = [](std::size_t n) {
         bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);

@@ -57,14 +57,14 @@ const Strategy certified[] = {Strategy::tolerances, Strategy::automatic, Strateg
 /// A 64th of all vertices, so that they are moved one by one.
 template <int d>
 void choose(std::span<const Coordinates<d>> x, double pace, Random& random, std::vector<Index>& index,
-            std::vector<Coordinates<d>>& goal) {
+            std::vector<Coordinates<d>>& target) {
     index.clear();
-    goal.clear();
+    target.clear();
     for (std::size_t k = 0; k < x.size() / 64; ++k) {
         const auto i = static_cast<std::size_t>(random() % x.size());
         index.push_back(static_cast<Index>(i));
-        goal.push_back(x[i]);
-        for (double& c : goal.back()) c += pace * between(random, -1.0, 1.0);
+        target.push_back(x[i]);
+        for (double& c : target.back()) c += pace * between(random, -1.0, 1.0);
     }
 }
 
@@ -81,15 +81,15 @@ void check_cost(Scene scene, double pace) {
         const auto n = static_cast<double>(x.size());
         const auto cells = static_cast<double>(dt.cells().vertices.size());
         std::vector<Index> index;
-        std::vector<Coordinates<d>> goal;
+        std::vector<Coordinates<d>> target;
         for (int step = 0; step < 3; ++step) {
-            choose<d>(x, pace, random, index, goal);
-            for (std::size_t k = 0; k < index.size(); ++k) x[static_cast<std::size_t>(index[k])] = goal[k];
+            choose<d>(x, pace, random, index, target);
+            for (std::size_t k = 0; k < index.size(); ++k) x[static_cast<std::size_t>(index[k])] = target[k];
             std::uint64_t spent = 0, once = 0;
             Move_report report;
             {
                 const Failing_new counting(std::uint64_t{1} << 60);
-                report = dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+                report = dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
                 spent = Failing_new::bytes();
             }
             {
@@ -119,22 +119,22 @@ void check_duplicate_point(Scene scene) {
         options.strategy = strategy;
         Triangulation dt(std::span<const Coordinates<d>>(x), options);
         std::vector<Index> index;
-        std::vector<Coordinates<d>> goal;
+        std::vector<Coordinates<d>> target;
         const auto last = static_cast<Index>(x.size() - 1);
         for (int step = 0; step < 2; ++step) {
-            choose<d>(x, 1e-3, random, index, goal);
+            choose<d>(x, 1e-3, random, index, target);
             std::size_t kept = 0;
             for (std::size_t k = 0; k < index.size(); ++k) {
                 if (index[k] == 0 || index[k] == last) continue;
                 index[kept] = index[k];
-                goal[kept++] = goal[k];
+                target[kept++] = target[k];
             }
             index.resize(kept);
-            goal.resize(kept);
+            target.resize(kept);
             index.push_back(0);
-            goal.push_back(x[static_cast<std::size_t>(last)]);
+            target.push_back(x[static_cast<std::size_t>(last)]);
             try {
-                (void)dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+                (void)dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
                 FAIL("two vertices at one place");
             } catch (const Error& e) {
                 CHECK(e.code() == Error_code::duplicate_point);
@@ -144,8 +144,8 @@ void check_duplicate_point(Scene scene) {
             // If that vertex moves away, it is not a duplicate point.
             Triangulation other(std::span<const Coordinates<d>>(x), options);
             index.push_back(last);
-            goal.push_back(x[0]);
-            (void)other.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+            target.push_back(x[0]);
+            (void)other.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
             REQUIRE(other.points()[0] == x[static_cast<std::size_t>(last)]);
             REQUIRE(other.audit().delaunay());
         }
@@ -170,7 +170,7 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
     const double far = spacings * std::pow(static_cast<double>(n), -1.0 / d);
     for (int call = 0; call < 3; ++call) {
         std::vector<Index> index;
-        std::vector<Coordinates<d>> goal;
+        std::vector<Coordinates<d>> target;
         for (std::size_t k = 0; k < movers; ++k) {
             const std::size_t i = (k * (n / movers) + static_cast<std::size_t>(call)) % n;
             Coordinates<d> way;
@@ -181,9 +181,9 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
             }
             for (std::size_t c = 0; c < d; ++c) x[i][c] += far * way[c] / std::sqrt(square);
             index.push_back(static_cast<Index>(i));
-            goal.push_back(x[i]);
+            target.push_back(x[i]);
         }
-        const Move_report report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(goal));
+        const Move_report report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
         const double cost = report.cost / static_cast<double>(movers);
         CAPTURE(call, cost, report.evaluated, report.undone_flips, report.moves.flipped, report.moves.reinserted,
                 report.moves.rebuilt);

@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("A point that is written through a handle is found by the
         moved(dt, 1, 0.5);
         CHECK_THAT(dt.audit().first_fault, contains("the point of vertex 1 in CGAL's object is (1.5"));
     }
-    SECTION("of one behind an index that is vacant") {
+    SECTION("of one behind an index that is free") {
         const Points_d<d> x = grid<d>();
         Moving_d<d> dt{std::span<const Coordinates<d>>(x)};
         dt.remove(dt.vertex(2));

@@ -90,7 +90,7 @@ TEST_CASE("Tolerances that are not certified are for the paper's strategies alon
         }
 }
 
-TEST_CASE("An audit names vertices by their indices, also when lower ones are vacant", "[engine][audit]") {
+TEST_CASE("An audit names vertices by their indices, also when lower ones are free", "[engine][audit]") {
     const auto x = corners<2>();
     Moving_mesh_2 mesh{std::span<const Coordinates<2>>(x)};
     mesh.remove(0);

@@ -44,7 +44,7 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG(
-    "Timestamps in several threads are those in one, counters and order of cells included, dimension",
+    "Time steps in several threads are those in one, counters and order of cells included, dimension",
     "[parallel][deep]", ((int d), d), 2, 3) {
     for (const Strategy strategy : {Strategy::automatic, Strategy::tolerances})
         for (const double spacings : {3e-3, 0.05}) {

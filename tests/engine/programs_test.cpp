@@ -190,8 +190,8 @@ TEMPLATE_TEST_CASE_SIG("Points on a small grid may go anywhere and come back und
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Positions exchanged among vertices in one call are no collision, dimension", "[relocation]",
-                       ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Positions exchanged among vertices in one call are no duplicate points, dimension",
+                       "[relocation]", ((int d), d), 2, 3) {
     for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {
             for_each_seed(d == 2 ? 60 : 20, [&](Random& random) {

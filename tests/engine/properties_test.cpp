@@ -47,17 +47,17 @@ TEMPLATE_TEST_CASE_SIG("Moving one by one and moving all at once end in the same
             for_each_seed(d == 2 ? 60 : 15, [&](Random& random) {
                 const Set_of<d> set = any_set<d>(random);
                 const Points_of<d> home = some_points<d>(set, 1, d == 2 ? 30 : 15, random);
-                const Points_of<d> goal = point_set(set, home.size(), random);
+                const Points_of<d> target = point_set(set, home.size(), random);
                 without_fault([&] {
                     Checked_mesh<d> at_once(Program_of<d>{setting, home, {}});
                     Checked_mesh<d> one_by_one(Program_of<d>{setting, home, {}});
-                    at_once.apply(Calls<d>::move_all(goal));
-                    std::vector<std::size_t> order(goal.size());
+                    at_once.apply(Calls<d>::move_all(target));
+                    std::vector<std::size_t> order(target.size());
                     std::iota(order.begin(), order.end(), std::size_t{0});
                     shuffle(order, random);
                     for (int round = 0; round < 2; ++round)  // the second for vertices whose target was occupied
                         for (const std::size_t i : order)
-                            one_by_one.apply(Calls<d>::move(static_cast<Index>(i), goal[i]));
+                            one_by_one.apply(Calls<d>::move(static_cast<Index>(i), target[i]));
                     if (one_by_one.sites() != at_once.sites()) return;
                     at_once.check();
                     one_by_one.check();
@@ -84,15 +84,15 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                 Moving_of<d> one(home, options_of(setting));
                 Moving_of<d> other(scaled(home), options_of(setting));
                 for (int step = 0; step < 3; ++step) {
-                    Points_of<d> goal = point_set(set, home.size(), random);
+                    Points_of<d> target = point_set(set, home.size(), random);
                     if (step == 1) {  // a short way
-                        goal.assign(one.points().begin(), one.points().end());
-                        for (auto& p : goal)
+                        target.assign(one.points().begin(), one.points().end());
+                        for (auto& p : target)
                             for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
-                        if (!distinct<d>(goal)) continue;
+                        if (!distinct<d>(target)) continue;
                     }
-                    const Move_report a = one.move_all(goal);
-                    const Move_report b = other.move_all(scaled(goal));
+                    const Move_report a = one.move_all(target);
+                    const Move_report b = other.move_all(scaled(target));
                     if (d == 2) {
                         CHECK(a.moves == b.moves);
                         CHECK(a.evaluated == b.evaluated);
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                         other.recompute_tolerances();
                     }
                     CHECK(cells_of(one) == cells_of(other));
-                    for (std::size_t i = 0; i < goal.size(); ++i) {
+                    for (std::size_t i = 0; i < target.size(); ++i) {
                         const double s = one.tolerance(static_cast<Index>(i));
                         CHECK(std::fabs(s * scale - other.tolerance(static_cast<Index>(i))) <= closeness * s * scale);
                     }
@@ -134,9 +134,9 @@ TEMPLATE_TEST_CASE_SIG("The order of the input changes nothing but the names, di
                 Moving_of<d> one(home, options_of(setting));
                 Moving_of<d> other(renamed(home), options_of(setting));
                 for (int step = 0; step < 2; ++step) {
-                    const Points_of<d> goal = point_set(set, n, random);
-                    one.move_all(goal);
-                    other.move_all(renamed(goal));
+                    const Points_of<d> target = point_set(set, n, random);
+                    one.move_all(target);
+                    other.move_all(renamed(target));
                     Cells_of<d> expected = cells_of(one);
                     for (auto& cell : expected) {
                         for (Index& v : cell)

@@ -148,7 +148,7 @@ TEST_CASE("Displacements are never taken for shorter than they are", "[relocatio
     CHECK(squared_threshold_lower(std::numeric_limits<double>::quiet_NaN()) == 0.0);
 }
 
-TEST_CASE("An expiry is not above the reading it is made of, nor far below", "[relocation][rounding][tight]") {
+TEST_CASE("An expiry is not above the path length it is made of, nor far below", "[relocation][rounding][tight]") {
     REQUIRE(for_all("of any magnitude", [](const Seed& seed) {
         Random random = seed.random();
         for (int i = 0; i < 500; ++i) {

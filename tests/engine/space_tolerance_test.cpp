@@ -151,7 +151,7 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
     }
 }
 
-TEST_CASE("A settled tolerance in space is never above what its certificates allow and within 0.2 % of it",
+TEST_CASE("A recomputed tolerance in space is never above what its certificates allow and within 0.2 % of it",
           "[tolerance][space][tight]") {
     for (const Strategy strategy : filters) {
         DYNAMIC_SECTION(name_of(strategy)) {

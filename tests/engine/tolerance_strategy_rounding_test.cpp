@@ -25,7 +25,7 @@ REVEAL(Budget_member, &Tolerance_strategy<2>::displacement_budget_);
 REVEAL(Examination, &Tolerance_strategy<2>::repair_);
 REVEAL(List, &Displacement_budget<2>::list_);
 REVEAL(Expiries, &Displacement_budget<2>::expiries_);
-REVEAL(Reading, &Displacement_budget<2>::path_length);
+REVEAL(Path_length, &Displacement_budget<2>::path_length);
 REVEAL(Set_threshold, &Displacement_budget<2>::set_threshold);
 REVEAL(Rebase, &Displacement_budget<2>::rebase);
 
@@ -54,7 +54,7 @@ double odd(Random& random, int exponent) { return std::ldexp(1.0 + unit(random),
 
 }  // namespace
 
-TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]") {
+TEST_CASE("A path length is at least base and displacement", "[relocation][rounding]") {
     REQUIRE(for_all("of every magnitude", [](const Seed& seed) {
         Random random = seed.random();
         Strategy_session s(random);
@@ -64,7 +64,7 @@ TEST_CASE("A reading is at least base and displacement", "[relocation][rounding]
             const double way = std::ldexp(1.0, -integer(random, 0, 80));
             const Point x{f[0] + way * between(random, -1, 1), f[1] + way * between(random, -1, 1)};
             s[List{}][at(v)].base = random() % 4 == 0 ? 0.0 : odd(random, integer(random, -40, 3));
-            const Rational left = Rational(s.call(Reading{}, v, x)) - Rational(s[List{}][at(v)].base);
+            const Rational left = Rational(s.call(Path_length{}, v, x)) - Rational(s[List{}][at(v)].base);
             RC_ASSERT(left >= 0);
             RC_ASSERT(left * left >= exact_squared_distance(x, f));
         }

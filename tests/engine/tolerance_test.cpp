@@ -128,7 +128,7 @@ bool squares_underflow(Family family) {
 
 }  // namespace
 
-TEST_CASE("A settled tolerance is never above the exact one and within 0.2 % of it, under every strategy",
+TEST_CASE("A recomputed tolerance is never above the exact one and within 0.2 % of it, under every strategy",
           "[tolerance]") {
     for (const Setting& setting : certified_settings) {
         DYNAMIC_SECTION(name_of(setting)) {

@@ -201,9 +201,9 @@ TEMPLATE_TEST_CASE_SIG("Of many volumes those around few movers are computed, an
     CHECK(kept.computed() == 0);
     for (int k = 0; k < 5; ++k) {
         const auto v = static_cast<Index>(random() % x.size());
-        const Coordinates<d> goal = near<d>(x[static_cast<std::size_t>(v)], 0.01, random);
+        const Coordinates<d> target = near<d>(x[static_cast<std::size_t>(v)], 0.01, random);
         std::vector<Cell_index> changed;
-        CHECK(mesh.reinsert(x, v, goal, changed));
+        CHECK(mesh.reinsert(x, v, target, changed));
         const auto volumes = kept.update(x);
         CHECK(kept.computed() > d);
         CHECK(kept.computed() < 150);

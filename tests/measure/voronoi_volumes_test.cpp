@@ -212,9 +212,8 @@ TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of the
     CHECK(worst < 1e-11);
 }
 
-TEMPLATE_TEST_CASE_SIG(
-    "Vacant indices have no volume, whatever stands there; flat sets have unbounded cells, dimension",
-    "[measure][voronoi]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Free indices have no volume, whatever stands there; flat sets have unbounded cells, dimension",
+                       "[measure][voronoi]", ((int d), d), 2, 3) {
     Moving_mesh<d> mesh{std::span<const Coordinates<d>>(grid<d>())};
     Index middle = d == 2 ? 12 : 13;
     const auto before = voronoi_volumes<d>(mesh.points(), mesh.cells());

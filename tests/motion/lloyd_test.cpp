@@ -147,7 +147,7 @@ TEST_CASE("the result does not depend on the number of threads, bit for bit", "[
     }
 }
 
-TEST_CASE("few, collinear, cocircular, vacant and outside points work", "[motion][lloyd]") {
+TEST_CASE("few, collinear, cocircular, free and outside points work", "[motion][lloyd]") {
     const Lloyd_2 disc(Domain_2::disc(2), Density::one), square(Domain_2::square(3), Density::one);
     const auto targets = [](const Lloyd_2& lloyd, const Points& points, std::size_t kept = 0) {
         Points target(points.size());

@@ -157,7 +157,7 @@ TEST_CASE("the filter claims no sign that is within its error", "[certificate][s
     }));
 }
 
-TEST_CASE("the filter calls no annulus forward that is within its error of being backward", "[certificate][space]") {
+TEST_CASE("the filter calls no partition right that is within its error of its wrong side", "[certificate][space]") {
     for (std::size_t k = 1; k < partitions_3; ++k)
         REQUIRE(for_all("partition " + std::to_string(k), [k](const Seed& seed) {
             at_changes<3, 5>(

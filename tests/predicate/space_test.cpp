@@ -121,7 +121,7 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
     }));
 }
 
-TEST_CASE("which annuli are backward, and the cells that stand in for them", "[certificate][space]") {
+TEST_CASE("which partitions are on their wrong side, and the cells that stand in for them", "[certificate][space]") {
     REQUIRE(for_all("in bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
             const Answers never = ask(c, Cell_widths::never), needed = ask(c, Cell_widths::where_needed),
@@ -264,7 +264,7 @@ TEST_CASE("how often each stage in space passes the question on", "[certificate]
     const int each = repeats(2000);
     const auto head = [](const char* what) {
         std::printf(
-            "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | backward "
+            "\n| %s: left to the next stage, %% | sign only, by filter | filter | interval | wrong side "
             "|\n|---|---|---|---|---|\n",
             what);
     };

@@ -125,9 +125,9 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
         if (!tight) continue;
         ++undone.tight;
         HOLDS(!passes(squeezed(1.001 / 0.998)), x);
-        Moving mended(std::span<const Coordinates<d>>(x), options);
-        HOLDS(mended.move_all(squeezed(1.001 / 0.998)).evaluated > 0, x);
-        HOLDS(mended.audit().delaunay(), x);
+        Moving repaired(std::span<const Coordinates<d>>(x), options);
+        HOLDS(repaired.move_all(squeezed(1.001 / 0.998)).evaluated > 0, x);
+        HOLDS(repaired.audit().delaunay(), x);
     }
     const auto worst = harmful_directions<d>(all, x.size());
     for (const double share : {0.9999, -0.9999}) {
