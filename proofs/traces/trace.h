@@ -23,13 +23,13 @@ struct Trace {
         places,       ///< vertices with their positions: where they are going, or are
         gone,         ///< vertices that are none any more
         begin,        ///< everything is re-evaluated; `places` names all vertices
-        settle,       ///< the vertices with threshold and list: it has been
+        recompute,    ///< the vertices with threshold and list: it has been
         test,         ///< 0 for all vertices or the mover + 1; the vertices that failed
         stamp,        ///< a step begins, with this stamp
         anchor,       ///< the vertices that failed with their bases
-        examine,      ///< vertex; 0 or 1: whether there was a tour; what it went round; suspects; list
+        examine,      ///< vertex; 0 or 1: whether there was a star walk; what it went round; pending certificates; list
         undo,         ///< the step is taken back
-        mend,         ///< certificates that are gone or have other points now; what follows is written down
+        replaced,     ///< certificates that are gone or have other points now; what follows is written down
         write,        ///< id, tolerance; its points with base and expiry
         finish,       ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
         over,         ///< how many certificates there are: the step is over
@@ -52,8 +52,8 @@ struct Trace {
     };
     template <int d>
     static inline Told<d> told;
-    static inline std::vector<std::uint64_t> suspects, around;  // of one vertex
-    static inline bool has_toured = false, has_rebased = false;
+    static inline std::vector<std::uint64_t> pending, around;  // of one vertex
+    static inline bool has_walked = false, has_rebased = false;
 
     static void word(std::uint64_t w) { words.push_back(w); }
     static void vertex(Index v) { word(static_cast<std::uint64_t>(v)); }
@@ -130,9 +130,9 @@ struct Trace {
         tell_positions(o, x);
     }
     template <int d>
-    static void settled(const Displacement_budget<d>& o) {
+    static void recomputed(const Displacement_budget<d>& o) {
         if (!on) return;
-        word(settle);
+        word(recompute);
         std::vector<Index> lives;
         for (Index v = 0; v < o.table_.vertex_bound(); ++v)
             if (o.table_.corner_of(v) != no_corner) lives.push_back(v);
@@ -194,13 +194,13 @@ struct Trace {
             number(o.list_[at(v)].base);
         }
     }
-    static void suspected(Certificate_id id) {
-        if (on) suspects.push_back(id);
+    static void made_pending(Certificate_id id) {
+        if (on) pending.push_back(id);
     }
     template <int d>
-    static void toured(const Displacement_budget<d>& o, Index) {
+    static void walked(const Displacement_budget<d>& o, Index) {
         if (!on) return;
-        has_toured = true;
+        has_walked = true;
         for (const std::uint32_t k : o.walk_.certificates) {
             const Corner_index h(static_cast<Index>(k >> 1));
             around.push_back((k & 1) ? id_of_cell(o.table_.cell_of(h)) : id_of_facet(o.table_.facet(h)));
@@ -211,13 +211,13 @@ struct Trace {
         if (!on) return;
         word(examine);
         vertex(v);
-        word(has_toured ? 1 : 0);
+        word(has_walked ? 1 : 0);
         list(around);
-        list(suspects);
+        list(pending);
         expiries(o.list_[at(v)]);
         around.clear();
-        suspects.clear();
-        has_toured = false;
+        pending.clear();
+        has_walked = false;
     }
     template <int d>
     static void undone(const Displacement_budget<d>&, const Step<d>&) {
@@ -251,7 +251,7 @@ struct Trace {
         for (const auto& [id, points] : told<d>.points)
             if (present(o.table_, id) != points) lost.push_back(id);
         for (const std::uint64_t id : lost) told<d>.points.erase(static_cast<Certificate_id>(id));
-        word(mend);
+        word(replaced);
         list(lost);
     }
     template <int d, class S, class Expiry_of>

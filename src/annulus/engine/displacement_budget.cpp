@@ -40,7 +40,7 @@ void Displacement_budget<d>::finish_beginning() {
     for (Index v = 0; v < table_.vertex_bound(); ++v)
         if (table_.corner_of(v) != no_corner) set_threshold(v);
     kept_ = true;
-    ANNULUS_TRACED(settled(*this));
+    ANNULUS_TRACED(recomputed(*this));
 }
 
 template <int d>

@@ -20,7 +20,7 @@ void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificat
         const Expiry expiry = expiries_.of_cell(table_.corner(c, slot));
         if (expiry.reached(list.base)) {
             checker.add_cell(c);
-            ANNULUS_TRACED(suspected(id));
+            ANNULUS_TRACED(made_pending(id));
         } else {
             list.put(id, expiry);
         }
@@ -34,7 +34,7 @@ void Displacement_budget<d>::check_expiry(Certificate_id id, Index v, Certificat
         list.put(id, expiry);
     } else {
         checker.add_facet(f);
-        ANNULUS_TRACED(suspected(id));
+        ANNULUS_TRACED(made_pending(id));
     }
 }
 
@@ -75,7 +75,7 @@ void Displacement_budget<d>::visit_star(Index v, Step<d>& step, Certificate_chec
         }
     }
     list.put_new(walk_.listed, walk_.listed_id);
-    ANNULUS_TRACED(toured(*this, v));
+    ANNULUS_TRACED(walked(*this, v));
 }
 
 template <int d>
