@@ -183,22 +183,22 @@ void Ranks::give_up(const std::exception_ptr& why) {
 
 void Ranks::work(const Spec& spec, int threads) {
     if (!messages_) return;
-    Shared_state desk;
-    const auto leave = [&desk](Tag tag, std::string text) {
-        const std::lock_guard lock(desk.mutex);
-        desk.outbox.emplace_back(tag, std::move(text));
-        --desk.running;
-        desk.changed.notify_all();
+    Shared_state state;
+    const auto leave = [&state](Tag tag, std::string text) {
+        const std::lock_guard lock(state.mutex);
+        state.outbox.emplace_back(tag, std::move(text));
+        --state.running;
+        state.changed.notify_all();
     };
     const Workers workers(
         threads, spec,
-        [&desk]() -> std::optional<Schedule::Job> {
-            std::unique_lock lock(desk.mutex);
-            desk.changed.wait(lock, [&desk] { return desk.closed || !desk.waiting.empty(); });
-            if (desk.waiting.empty()) return std::nullopt;
-            const auto job = desk.waiting.front();
-            desk.waiting.pop_front();
-            ++desk.running;
+        [&state]() -> std::optional<Schedule::Job> {
+            std::unique_lock lock(state.mutex);
+            state.changed.wait(lock, [&state] { return state.closed || !state.waiting.empty(); });
+            if (state.waiting.empty()) return std::nullopt;
+            const auto job = state.waiting.front();
+            state.waiting.pop_front();
+            ++state.running;
             return job;
         },
         [&leave](const Schedule::Job& job, const Trial_result& r) { leave(result, packed(job.trial, r)); },
@@ -208,13 +208,13 @@ void Ranks::work(const Spec& spec, int threads) {
 
     // Runs before the threads are joined, whatever happens.
     struct Closing {
-        Shared_state& desk;
+        Shared_state& state;
         ~Closing() {
-            const std::lock_guard lock(desk.mutex);
-            desk.closed = true;
-            desk.changed.notify_all();
+            const std::lock_guard lock(state.mutex);
+            state.closed = true;
+            state.changed.notify_all();
         }
-    } const closing{desk};
+    } const closing{state};
 
     int from = 0;
     Tag tag{};
@@ -223,14 +223,15 @@ void Ranks::work(const Spec& spec, int threads) {
     std::size_t last_batch = 0;
     auto again = std::chrono::steady_clock::now();
     while (true) {
-        std::unique_lock lock(desk.mutex);
-        for (auto& [what, content] : std::exchange(desk.outbox, {})) {
+        std::unique_lock lock(state.mutex);
+        for (auto& [what, content] : std::exchange(state.outbox, {})) {
             lock.unlock();
             Messages::send(0, what, content);
             lock.lock();
         }
-        const bool idle = desk.waiting.empty() && (desk.running < static_cast<std::size_t>(threads) || last_batch > 1);
-        if (over_yet && desk.waiting.empty() && desk.running == 0 && desk.outbox.empty()) return;
+        const bool idle =
+            state.waiting.empty() && (state.running < static_cast<std::size_t>(threads) || last_batch > 1);
+        if (over_yet && state.waiting.empty() && state.running == 0 && state.outbox.empty()) return;
         lock.unlock();
         if (!over_yet && !asked && idle && std::chrono::steady_clock::now() >= again) {
             Messages::send(0, ask, "");
@@ -244,14 +245,14 @@ void Ranks::work(const Spec& spec, int threads) {
             } else {
                 const auto jobs = jobs_of(text);
                 last_batch = jobs.size();
-                desk.waiting.insert(desk.waiting.end(), jobs.begin(), jobs.end());
+                state.waiting.insert(state.waiting.end(), jobs.begin(), jobs.end());
                 if (jobs.empty()) again = std::chrono::steady_clock::now() + wait_for_room;
             }
-            desk.changed.notify_all();
+            state.changed.notify_all();
             continue;
         }
         lock.lock();
-        if (desk.outbox.empty()) desk.changed.wait_for(lock, nap);
+        if (state.outbox.empty()) state.changed.wait_for(lock, nap);
     }
 }
 

@@ -25,13 +25,13 @@ std::optional<Schedule::Job> Schedule::take(int machine) {
     const std::size_t i = found->second;
     const Trial& t = trials_[i];
     // While the last long trials run, the other threads are idle: they help.
-    const bool dear = t.seconds * threads_ >= seconds_left_ || t.bytes > bytes_ / 2;
+    const bool is_long = t.seconds * threads_ >= seconds_left_ || t.bytes > bytes_ / 2;
     open_.erase(found);
     open_bytes_.erase(open_bytes_.find(t.bytes));
     used += t.bytes;
     seconds_left_ -= t.seconds;
     ++running_;
-    return Job{i, dear ? threads_ : 1};
+    return Job{i, is_long ? threads_ : 1};
 }
 
 std::vector<Schedule::Job> Schedule::take(int machine, double seconds, int threads_in_all) {

@@ -75,15 +75,15 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
         s.tally.counts["experiments"] = s.tally.counts["flat"] = 1;
         return s;
     }
-    Certificate_collector<d> looker(x, s.resolution, seed, hard);
+    Certificate_collector<d> collector(x, s.resolution, seed, hard);
     Degeneracy_options<d> options;
     options.quantiles = false;
     options.threads = threads;
-    options.raw = [&looker](const Raw_certificate<d>& c) { looker(c); };
+    options.raw = [&collector](const Raw_certificate<d>& c) { collector(c); };
     const Degeneracy found = degeneracy(mesh.table(), x, options);
     s.spacing = found.spacing;
     s.tally = tally_of(found);
-    looker.tally().add_to(s.tally, s.spacing);
+    collector.tally().add_to(s.tally, s.spacing);
     return s;
 }
 
