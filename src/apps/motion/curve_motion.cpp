@@ -39,9 +39,10 @@ std::vector<Curve_motion::Target_on_curve> Curve_motion::wishes(std::span<const 
     return all;
 }
 
-Coordinates<3> Curve_motion::place(const Target_on_curve& wish, double share, double most) const {
-    const double way = wish.wanted - wish.at;
-    return features_->curves()[static_cast<std::size_t>(wish.curve)].at(wish.at + std::clamp(share * way, -most, most));
+Coordinates<3> Curve_motion::place(const Target_on_curve& target, double share, double most) const {
+    const double way = target.wanted - target.at;
+    return features_->curves()[static_cast<std::size_t>(target.curve)].at(target.at +
+                                                                          std::clamp(share * way, -most, most));
 }
 
 }  // namespace annulus::inline v1

@@ -35,7 +35,7 @@ class Curve_motion {
     /// plus searches of their curves.
     [[nodiscard]] std::vector<Target_on_curve> wishes(std::span<const Coordinates<3>> position) const;
     /// The position after this fraction of the way from `at` towards `wanted`, but no farther than `most`.
-    [[nodiscard]] Coordinates<3> place(const Target_on_curve& wish, double share, double most) const;
+    [[nodiscard]] Coordinates<3> place(const Target_on_curve& target, double share, double most) const;
 
   private:
     std::shared_ptr<const Feature_curves> features_;

@@ -43,7 +43,7 @@ struct Target {
 };
 
 bool target_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordinates<2>& from, const Domain_2& domain,
-               const Density_2& density, Target& wish) {
+               const Density_2& density, Target& found) {
     Coordinates<2> offset;
     if (cell_of.plump()) {
         // The cell is well shaped and lengths are those of the domain: no check of the centroid's place is needed, nor
@@ -51,15 +51,15 @@ bool target_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordina
         const Moments_2 m = moments(density, cell.origin, cell.corners);
         if (!(m.mass > 0)) return false;
         offset = {m.first[0] / m.mass, m.first[1] / m.mass};
-        wish = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
-        const double x = wish.place[0] - from[0], y = wish.place[1] - from[1];
-        wish.way = std::sqrt(x * x + y * y);
-        return domain.contains(wish.place);
+        found = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
+        const double x = found.place[0] - from[0], y = found.place[1] - from[1];
+        found.way = std::sqrt(x * x + y * y);
+        return domain.contains(found.place);
     }
     if (!centroid(density, cell, offset)) return false;
-    wish = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
-    wish.way = std::hypot(wish.place[0] - from[0], wish.place[1] - from[1]);
-    return domain.contains(wish.place) && reach(cell) > 1e-12 * wish.way;
+    found = {{cell.origin[0] + offset[0], cell.origin[1] + offset[1]}, 0};
+    found.way = std::hypot(found.place[0] - from[0], found.place[1] - from[1]);
+    return domain.contains(found.place) && reach(cell) > 1e-12 * found.way;
 }
 
 void require_sizes(std::size_t lists, std::size_t positions, std::size_t targets) {
@@ -121,11 +121,11 @@ Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>
             }
             ++sums.count;
             if (!remembered(v)) {
-                Target wish;
+                Target found;
                 const Cell_2& cell = cell_of(position[v], around, position, is_cyclic(lists, v));
-                const bool goes = target_of(cell_of, cell, position[v], domain_, density_, wish);
-                target[v] = goes ? wish.place : position[v];
-                way[v] = goes ? wish.way : -1;
+                const bool goes = target_of(cell_of, cell, position[v], domain_, density_, found);
+                target[v] = goes ? found.place : position[v];
+                way[v] = goes ? found.way : -1;
             }
             if (way[v] < 0) {
                 ++sums.kept;
