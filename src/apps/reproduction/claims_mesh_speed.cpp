@@ -24,8 +24,10 @@ Claim switch_claim(const std::vector<const Benchmark_record*>& benchmarks, const
         c.ours = "auto chooses by counts";
         c.verdict = agree_if(!found.empty() && least(found) > claimed - 0.15 && most(found) < claimed + 0.15);
         c.of_long_runs = true;
-        const auto dear = [](const Benchmark_record& benchmark) { return speed_up(benchmark, "relocate", "rebuild"); };
-        const auto x = of_each(benchmarks, dear);
+        const auto relocation = [](const Benchmark_record& benchmark) {
+            return speed_up(benchmark, "relocate", "rebuild");
+        };
+        const auto x = of_each(benchmarks, relocation);
         c.reason = "Where the failed moves cost what a rebuild does. A relocation takes " + range(x, times) +
                    " rebuilds of a vertex here, which gives " + percent(1 - 1 / std::max(1.0, least(x))) + " to " +
                    percent(1 - 1 / std::max(1.0, most(x))) + " where nothing else counts; the paper's share says " +

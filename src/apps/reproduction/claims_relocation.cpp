@@ -158,7 +158,7 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
             " rebuilds by the processor's clock, of 100 the second longest " +
             range(of_each(all, [](const auto& benchmark) { return longest_step(benchmark, "auto", 0.01); }), times);
         c.verdict = agree_if(most(x) <= 2);
-        c.reason = "The bound of auto, one and a half rebuilds, is one of counted prices and not of the clock.";
+        c.reason = "The bound of auto, one and a half rebuilds, is one of counted costs and not of the clock.";
     }
     out.push_back(c);
 
