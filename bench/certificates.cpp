@@ -200,7 +200,7 @@ void half_width_batch_cells(benchmark::State& state) {
     label(state);
     std::int64_t wrong_side = 0;
     for (const Certificate_value& v : cases.verdicts) wrong_side += v.wrong_side != 0;
-    state.counters["backward"] = static_cast<double>(wrong_side) / 1024.0;
+    state.counters["wrong_side"] = static_cast<double>(wrong_side) / 1024.0;
 }
 BENCHMARK(half_width_batch_cells)->Args({0, 0})->Args({0, 1})->Args({0, 2});
 

@@ -306,7 +306,7 @@ ordered_json run(std::size_t n, int repeat) {
 
 int main(int argc, char** argv) {
     int repeat = 5;
-    CLI::App app{"The prices of engine/cost_model.h on this machine, in cells looked at."};
+    CLI::App app{"The costs of engine/cost_model.h on this machine, in cells tested."};
     app.add_option("--repeat", repeat)->check(CLI::Range(1, 1000));
     CLI11_PARSE(app, argc, argv);
     try {

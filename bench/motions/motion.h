@@ -40,9 +40,9 @@ class Motion {
     [[nodiscard]] std::span<const annulus::Coordinates<d>> arrive() const { return arrive_; }
     /// The index of the k-th point that arrives in this time step.
     [[nodiscard]] Index number_of_arrival(std::size_t k) const {
-        const std::size_t vacant = free_indices_.size() + leave_.size();
-        if (k >= vacant) return static_cast<Index>(x_.size() + k - vacant);
-        return k < leave_.size() ? leave_[leave_.size() - 1 - k] : free_indices_[vacant - 1 - k];
+        const std::size_t free_count = free_indices_.size() + leave_.size();
+        if (k >= free_count) return static_cast<Index>(x_.size() + k - free_count);
+        return k < leave_.size() ? leave_[leave_.size() - 1 - k] : free_indices_[free_count - 1 - k];
     }
     /// All points that exist after the time step.
     [[nodiscard]] Points<d> present() const {
