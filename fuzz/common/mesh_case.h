@@ -55,7 +55,7 @@ class Mesh_case {
         out << std::hexfloat;
         for (std::size_t v = 0; v < x_.size(); ++v) {
             out << v << ":";
-            if (!x_[v]) out << " vacant";
+            if (!x_[v]) out << " free";
             for (int c = 0; c < d && x_[v]; ++c) out << " " << (*x_[v])[static_cast<std::size_t>(c)];
             out << "\n";
         }
@@ -166,15 +166,15 @@ class Mesh_case {
         }
     }
     std::string insert() {
-        const auto vacant = std::find(x_.begin(), x_.end(), std::nullopt);
-        const auto v = static_cast<std::size_t>(vacant - x_.begin());
+        const auto free_place = std::find(x_.begin(), x_.end(), std::nullopt);
+        const auto v = static_cast<std::size_t>(free_place - x_.begin());
         const Coordinates<d> p = point();
         const bool taken = is_taken(p, x_.size());
         std::vector<Cell_index> changed;
         if (mesh_.insert(home_, static_cast<Index>(v), p, changed) == taken) return "! insert";
         if (taken) return "insert of what there is";
-        if (vacant == x_.end()) x_.push_back(p);
-        else *vacant = p;
+        if (free_place == x_.end()) x_.push_back(p);
+        else *free_place = p;
         return home_[v] == p ? "insert" : "! insert: position";
     }
     std::string remove() {
