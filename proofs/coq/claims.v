@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The theorems on the tin: what all other files are for, said in full, each with what it assumes. proofs/README.md has the same text beside words,
+(* The main theorems: what all other files are for, said in full, each with what it assumes. proofs/README.md has the same text beside words,
    and the definitions that it needs; proofs/claims compares the two.
 
    machine is Coq's primitive binary64. A sign or a tolerance is that of the ladder, operation by operation: filter_2.v, interval_2.v, exact_2.v and the
