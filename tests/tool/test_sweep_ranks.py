@@ -35,6 +35,16 @@ def stat_of(process):
     return int(parent), state
 
 
+def has_stopped(process):
+    """Whether all threads of a process have stopped. When its launcher ends, the kernel wakes and ends it only then."""
+    try:
+        threads = [Path(f"/proc/{process}/task/{thread}/stat").read_text(encoding="utf-8", errors="replace")
+                   for thread in os.listdir(f"/proc/{process}/task")]
+    except OSError:
+        return False
+    return all(text.rsplit(")", 1)[1].split()[0] == "T" for text in threads)
+
+
 def ranks_of(launcher):
     """The processes below mpirun, by rank."""
     found = {}
@@ -67,7 +77,7 @@ class Killed(Stopped):
         run = self.start(*mpirun(3), threads=1, env=tool.at(signal.SIGSTOP, 5, "pwrite", JOURNAL, rank=0))
         self.addCleanup(lambda: run.poll() is None and run.kill())
         ranks = {}
-        while sorted(ranks) != [0, 1, 2] or (stat_of(ranks[0]) or (0, "gone"))[1] != "T":
+        while sorted(ranks) != [0, 1, 2] or not has_stopped(ranks[0]):
             self.assertIsNone(run.poll())
             time.sleep(0.02)
             ranks = ranks_of(run.pid)
