@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Flags under which double arithmetic is not IEEE arithmetic, and compilers whose flags are not known. The proofs do not
 # apply to a build with one of them, so the configuration stops. Modes that a compiler sets without one of these flags
-# are found by <annulus/arithmetic/environment.h>: macros, and a test at run time.
+# are found by <annulus/internal/compiler_flags.h>, macros, and <annulus/arithmetic/environment.h>, a test at run time.
 #
 # Flags that the library sets itself, after all flags from outside, are not in the list: -ffp-contract, -frounding-math.
 

@@ -18,8 +18,12 @@ if(TARGET annulus-c)
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulus_c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
             COMPONENT development)
 endif()
-install(DIRECTORY src/annulus/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus" COMPONENT development
-        FILES_MATCHING PATTERN "*.h" PATTERN c EXCLUDE)
+include(annulus-headers)
+foreach(header IN LISTS annulus_plain_headers annulus_view_headers)
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES "src/annulus/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/annulus/${folder}"
+            COMPONENT development)
+endforeach()
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake

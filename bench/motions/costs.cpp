@@ -4,10 +4,10 @@
 #include "families.h"
 #include "stopwatch.h"
 
-#include <annulus/measure/voronoi_volumes.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -4,8 +4,8 @@
 #include "motion.h"
 #include "stopwatch.h"
 
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <memory>
 #include <string>

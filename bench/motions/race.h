@@ -4,7 +4,7 @@
 #include "motion.h"
 #include "result_line.h"
 
-#include <annulus/engine/options.h>
+#include <annulus/options.h>
 
 #include <nlohmann/json.hpp>
 

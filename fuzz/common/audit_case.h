@@ -7,7 +7,7 @@
 #include "brute_force.h"
 #include "bytes.h"
 
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 
 #include <cmath>
 #include <span>

@@ -6,7 +6,7 @@
 // Nothing here calls the library, and no shortcut is taken: no walk along the hull, no theorem that would allow fewer
 // tests.
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>

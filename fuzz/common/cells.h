@@ -3,7 +3,7 @@
 
 // Lists of cells that can be compared, without CGAL.
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>

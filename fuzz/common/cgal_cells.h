@@ -7,7 +7,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <map>

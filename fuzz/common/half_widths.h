@@ -3,7 +3,7 @@
 
 // Half widths of the certificates of the plane in rational arithmetic.
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <gmpxx.h>
 

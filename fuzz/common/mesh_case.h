@@ -8,7 +8,7 @@
 #include "bytes.h"
 #include "cgal_cells.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/table_flips_3.h>
 

@@ -8,9 +8,9 @@
 // axis"): the session resolves it when it is run, so that a program stays legal whatever the results of earlier calls,
 // and remains legal when it is shrunk.
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
+#include <annulus/error.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <algorithm>
 #include <array>

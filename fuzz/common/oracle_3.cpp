@@ -4,6 +4,7 @@
 #include "rational_3.h"
 
 #include <annulus/arithmetic/limits.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <set>
 

@@ -12,6 +12,7 @@
 #endif
 #include ANNULUS_TRACE
 
+#include <annulus/arithmetic/limits.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 
 #include <pybind11/pybind11.h>
 

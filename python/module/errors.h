@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <pybind11/pybind11.h>
 

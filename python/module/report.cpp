@@ -15,7 +15,7 @@ struct Field {
     std::uint64_t& (*of)(Move_report&);
 };
 
-/// In the order of engine/move_report.h. Every name here is an attribute, a key of as_dict, and pickled.
+/// In the order of move_report.h. Every name here is an attribute, a key of as_dict, and pickled.
 constexpr Field fields[] = {
     {"asked", "int: vertices that the call was to move; the next five add up to it.",
      [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},

@@ -3,7 +3,7 @@
 
 #include <module/arrays.h>
 
-#include <annulus/engine/move_report.h>
+#include <annulus/move_report.h>
 
 #include <memory>
 #include <utility>

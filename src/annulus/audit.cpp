@@ -2,8 +2,8 @@
 #include <annulus/audit.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/error.h>
 #include <annulus/mesh/audit_predicates_3.h>
 
 #include <algorithm>

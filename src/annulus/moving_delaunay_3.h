@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cgal/moving_delaunay.h>
-#include <annulus/cgal/view_3.h>
+#include <annulus/internal/moving_delaunay.h>
+#include <annulus/internal/view_3.h>
 
 namespace annulus::inline v1 {
 

@@ -2,8 +2,8 @@
 #include <annulus/moving_mesh.h>
 
 #include <annulus/arithmetic/environment.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/engine.h>
+#include <annulus/error.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/kernel/kept_lists.h>
 #include <annulus/measure/voronoi_kept.h>
@@ -122,6 +122,10 @@ template <int d>
 auto Moving_mesh<d>::points() const -> std::span<const Point> {
     return parts_->engine.positions();
 }
+template <int d>
+auto Moving_mesh<d>::delaunay_positions() const -> std::span<const Point> {
+    return parts_->engine.delaunay_positions();
+}
 
 template <int d>
 Mesh_cells<d> Moving_mesh<d>::cells() const {
@@ -202,6 +206,10 @@ Audit_input<d> Moving_mesh<d>::audit_input() const {
 }
 template <int d>
 const Delaunay_mesh<d>& Moving_mesh<d>::mesh() const {
+    return parts_->mesh;
+}
+template <int d>
+Delaunay_mesh<d>& Moving_mesh<d>::changeable_mesh() {
     return parts_->mesh;
 }
 template <int d>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
-#include <annulus/mesh/audit.h>
-#include <annulus/mesh/cell_lists.h>
-#include <annulus/mesh/measures.h>
-#include <annulus/mesh/mesh_cells.h>
+#include <annulus/audit.h>
+#include <annulus/error.h>
+#include <annulus/mesh_cells.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <array>
 #include <memory>
@@ -68,6 +66,9 @@ class Moving_mesh {
 
     /// Positions by index; entries at free indices are unspecified.
     [[nodiscard]] std::span<const Point> points() const;
+    /// The positions at which the cells are Delaunay. They differ from points() only while tolerances that are not
+    /// certified are kept.
+    [[nodiscard]] std::span<const Point> delaunay_positions() const;
     /// Every finite cell. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const;
 
@@ -109,7 +110,7 @@ class Moving_mesh {
     [[nodiscard]] Measures measure() const;
 
     /// The areas or volumes of the Voronoi cells by vertex index: bit for bit what voronoi_volumes
-    /// (measure/voronoi_volumes.h) returns for points() and cells(), and infinity for a single vertex. The results
+    /// (voronoi.h) returns for points() and cells(), and infinity for a single vertex. The results
     /// are kept from the first call on, about 350 bytes per vertex in 3D (130 in 2D). Later calls compute only the
     /// volumes that are affected by moves and changes of cells since then, and compare one position per vertex.
     /// Throws bad_input if tolerances that are not certified have left a cell that is not positive, environment, and
@@ -128,7 +129,11 @@ class Moving_mesh {
     [[nodiscard]] Strategy strategy() const;
 
   private:
+    template <int>
+    friend class Mesh_access;  // CGAL's view (internal/mesh_access.h)
     struct Parts;
+    [[nodiscard]] Delaunay_mesh<d>& changeable_mesh();
+
     std::unique_ptr<Parts> parts_;
 };
 

@@ -6,9 +6,9 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/arithmetic/stage.h>
+#include <annulus/error.h>
+#include <annulus/types.h>
 
 #include <support/catch.h>
 

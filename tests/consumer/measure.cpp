@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/measure/histogram.h>
-#include <annulus/measure/voronoi_volumes.h>
+#include <annulus/degeneracy.h>
 #include <annulus/moving_mesh.h>
 #include <annulus/version.h>
+#include <annulus/voronoi.h>
 
 #include <iostream>
 #include <type_traits>
@@ -19,7 +19,8 @@ int main() {
     const std::vector<double> areas = annulus::Moving_mesh<2>(points).voronoi_volumes();
     annulus::Histogram histogram = annulus::Histogram::linear(0, 4, 4);
     histogram.add(areas);
+    const annulus::Degeneracy found = annulus::degeneracy(annulus::Moving_mesh<2>(points));
     std::cout << "consumer: the cell in the middle has the area " << areas[4] << "\n";
     // The four others are unbounded.
-    return areas[4] == 2 && histogram.overflow() == 4 ? 0 : 1;
+    return areas[4] == 2 && found.bicells.least.total == 4 && histogram.overflow() == 4 ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The error of a duplicate point names both vertices, and other errors the vertex that they concern, for every call and
 // every strategy.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

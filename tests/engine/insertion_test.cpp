@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices inserted and removed one by one at hard positions: after each call the cells are those of a construction, in
 // both classes.
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/error.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

@@ -2,7 +2,7 @@
 // Moving_mesh beyond what every program calls (fuzz/common/mesh_twin.h): moves of some vertices, spans into itself,
 // objects that are moved, so few points that a cavity is the whole mesh, neighbours. Out of memory:
 // mesh_allocation_test.cpp.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CGAL's triangulation is a copy of the mesh that is updated on request.
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "temporary_directory.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/output_directory.h>
 #include <apps/formats/text_output.h>
 

@@ -2,7 +2,7 @@
 #include "temporary_directory.h"
 #include "well_formed.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/text_output.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_json.h>

@@ -3,7 +3,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/kernel/flat_cells.h>
 
 #include <support/catch.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Circumcentres compared with rational numbers: |centre - x|^2 is the same for every corner, solved by Cramer's rule.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/measure/circumcentre.h>
 #include <support/catch.h>
 #include <support/generators_3.h>

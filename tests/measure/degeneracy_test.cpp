@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/measure/degeneracy.h>
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
+#include <annulus/moving_mesh.h>
 #include <support/catch.h>
 #include <support/oracle_3.h>
 #include <support/point_sets_3.h>
@@ -32,6 +34,27 @@ Degeneracy of(const std::vector<Coordinates<3>>& x) {
 using Below = std::vector<std::uint64_t>;
 
 }  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Degeneracy of a mesh is that of its cells, dimension", "[measure][degeneracy]", ((int d), d), 2,
+                       3) {
+    std::vector<Coordinates<d>> x;
+    for (std::size_t i = 0; i < 60; ++i) {
+        auto& p = x.emplace_back();
+        for (std::size_t c = 0; c < d; ++c) p[c] = double((i * (7 + 4 * c * c) + i / 5) % 13);
+        p[0] += double(i) / 64;
+    }
+    const Moving_mesh<d> mesh{std::span<const Coordinates<d>>(x)};
+    const Degeneracy found = degeneracy(mesh);
+    const Degeneracy expected = degeneracy(mesh.mesh().table(), mesh.points());
+    CHECK(found.dimension == d);
+    CHECK(found.bicells.least.total > 0);
+    CHECK(found.bicells.least.total == expected.bicells.least.total);
+    CHECK(found.bicells.least.below == expected.bicells.least.below);
+    CHECK(found.vertices.total == x.size());
+
+    const std::vector<Coordinates<d>> line{{0, 0}, {1, 1}, {2, 2}};
+    CHECK_THROWS_AS(degeneracy(Moving_mesh<d>(std::span<const Coordinates<d>>(line))), Error);
+}
 
 TEST_CASE("a grid: every diagonal is cocircular, every straight hull vertex collinear", "[measure][degeneracy]") {
     const std::size_t n = 7;

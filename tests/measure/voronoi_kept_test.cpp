@@ -3,8 +3,8 @@
 // in rational numbers.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/measure/voronoi_kept.h>
-#include <annulus/measure/voronoi_volumes.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 #include <measure/voronoi_oracle.h>
 #include <support/catch.h>
 #include <support/failing_new.h>

@@ -3,8 +3,8 @@
 // points of every kind.
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/measure/voronoi_exact.h>
-#include <annulus/measure/voronoi_volumes.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 #include <measure/voronoi_oracle.h>
 #include <support/catch.h>
 #include <support/meshes.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/cgal/types_3.h>
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
+#include <annulus/internal/types_3.h>
 
 #include <common/oracle_3.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The audit of any triangulation (annulus/audit.h): corners in any order, and faults in the caller's numbers. Whether
 // cells are Delaunay is compared with rational numbers.
-#include <annulus/arithmetic/error.h>
 #include <annulus/audit.h>
+#include <annulus/error.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Faults that only one condition of the audit finds: each of these inputs passes without this condition.
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 
 #include <support/catch.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 
 #include <support/catch.h>
 

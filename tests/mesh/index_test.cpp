@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Types of indices: mix-ups do not compile, and "none" differs from every index.
-#include <annulus/cgal/view_2.h>
-#include <annulus/cgal/view_3.h>
+#include <annulus/internal/view_2.h>
+#include <annulus/internal/view_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 
 #include <support/catch.h>
 #include <support/point_sets_3.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Neighbours of cells that are listed are those of the table.
-#include <annulus/mesh/mesh_cells.h>
+#include <annulus/mesh/list_cells.h>
 #include <annulus/moving_mesh.h>
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 3D flips in the table and in CGAL's object, which follows: made and undone.
-#include <annulus/cgal/view_3.h>
+#include <annulus/internal/view_3.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/table_flips_3.h>
 #include <annulus/predicate/filtered.h>

@@ -11,16 +11,16 @@ from pathlib import Path
 CHECK_MODULES = sys.argv.pop(1)
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 HEADER = SPDX + "#pragma once\n"
-STANDARD = "#include <annulus/arithmetic/standard.h>\n"
+STANDARD = "#include <annulus/types.h>\n"
 
 CLEAN = {
     "src/annulus/annulus.h": HEADER,
-    "src/annulus/arithmetic/standard.h": HEADER,
+    "src/annulus/types.h": HEADER,
     "src/annulus/arithmetic/exact.h": HEADER + STANDARD + "#include <gmpxx.h>\n",
     "src/annulus/predicate/bounds.h": HEADER + "#include <annulus/arithmetic/exact.h>\n",
-    "src/annulus/cgal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/predicate/bounds.h>\n",
-    "src/annulus/cgal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
-    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/cgal/flips.h>\n",
+    "src/annulus/internal/build.cpp": SPDX + "#include <CGAL/Object.h>\n#include <annulus/predicate/bounds.h>\n",
+    "src/annulus/internal/flips.h": HEADER + STANDARD + "#include <CGAL/Object.h>\n",
+    "src/annulus/moving.h": HEADER + "#include <CGAL/Object.h>\n#include <annulus/internal/flips.h>\n",
     "src/apps/cli/x.h": HEADER,
     "src/apps/report/report.h": HEADER + "#include <nlohmann/json.hpp>\n#include <annulus/predicate/bounds.h>\n"
     + "/*\n#include <apps/cli/never.h>\n*/\n// #include <apps/cli/never.h>\n",
@@ -61,6 +61,15 @@ class CheckModules(unittest.TestCase):
         self.rejects("src/apps/motion/lloyd.h", HEADER + "#include <annulus/moving.h>\n", 3)
         self.assertEqual(self.check({"src/annulus/version.h": HEADER, "src/apps/motion/lloyd.cpp": SPDX
                                      + "#include <annulus/version.h>\n"}).returncode, 0)
+
+    def test_plain_header(self):
+        self.rejects("src/annulus/error.h", HEADER + STANDARD + "#include <annulus/moving.h>\n", 4)
+        self.rejects("src/annulus/error.h", HEADER + STANDARD + "#include <annulus/predicate/bounds.h>\n", 4)
+        self.rejects("src/annulus/mesh/x.h", HEADER + "#include <annulus/options.h>\n", 3)
+        self.rejects("src/annulus/space/x.h", HEADER + "#include <annulus/internal/index.h>\n", 3)
+        self.rejects("src/annulus/internal/index.h", HEADER + "#include <annulus/predicate/bounds.h>\n", 3)
+        self.assertEqual(self.check({"src/annulus/options.h": HEADER + STANDARD, "src/annulus/engine/x.h": HEADER
+                                     + "#include <annulus/options.h>\n"}).returncode, 0)
 
     def test_clients_from_a_public_header_and_from_one_another(self):
         self.rejects("src/annulus/other.h", HEADER + "#include <annulus/c/x.h>\n", 3)
@@ -151,10 +160,11 @@ class CheckModules(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout)
 
     def test_an_older_standard_would_not_be_told(self):
-        self.rejects("src/annulus/measure/x.h", HEADER + "#include <span>\n", 1)
-        self.rejects("src/annulus/measure/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
+        self.rejects("src/annulus/internal/x.h", HEADER + "#include <span>\n", 1)
+        self.rejects("src/annulus/internal/x.h", HEADER + "/*\n" + STANDARD + "*/\n", 1)
         self.rejects("src/annulus/other.h", HEADER, 1)
-        self.assertEqual(self.check({"src/apps/formats/x.h": HEADER + "#include <span>\n"}).returncode, 0)
+        self.assertEqual(self.check({"src/apps/formats/x.h": HEADER + "#include <span>\n",
+                                     "src/annulus/mesh/x.h": HEADER + "#include <span>\n"}).returncode, 0)
 
     def test_pragma_once_and_licence(self):
         self.rejects("src/apps/formats/x.h", SPDX + STANDARD, 1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/moving_delaunay_3.h>
 #include <apps/motion/ball_3.h>
 #include <apps/motion/cells_3.h>

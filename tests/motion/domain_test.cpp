@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/domain_2.h>
 #include <apps/motion/moments_2.h>
 #include <apps/motion/sampling_2.h>

@@ -2,7 +2,7 @@
 #include "neighbours_of.h"
 #include "oracle.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/domain_2.h>
 #include <apps/motion/image_density.h>
 #include <apps/motion/lloyd_2.h>

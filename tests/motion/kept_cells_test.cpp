@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes.h"
 
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_delaunay_3.h>
 #include <apps/motion/ball_3.h>
 #include <apps/motion/kept_cells_3.h>

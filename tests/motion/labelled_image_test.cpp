@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/labelled_image.h>
 
 #include <support/catch.h>

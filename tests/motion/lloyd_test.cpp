@@ -3,7 +3,7 @@
 #include "oracle.h"
 #include "some_domain.h"
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/lloyd_2.h>
 #include <apps/motion/moments_2.h>
 #include <apps/motion/sampling_2.h>

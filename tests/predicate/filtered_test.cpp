@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each stage compared with the next, and with the filtered predicate made of them.
 
+#include <annulus/options.h>
 #include <support/arbitrary.h>
 #include <support/catch.h>
 #include <support/repeats.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The predicates of annulus/predicates.h for points in any order and position, compared with rational numbers: signs
 // with determinants, tolerances with the truth for all bi-cells of the points, and with motions within the tolerance.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/predicates.h>
 #include <support/catch.h>
 #include <support/oracle_3.h>

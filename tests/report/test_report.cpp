@@ -2,7 +2,7 @@
 #include <formats/temporary_directory.h>
 #include <formats/well_formed.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/report/report.h>

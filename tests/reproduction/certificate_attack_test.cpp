@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moves that the paper's algorithm accepts although the triangulation is no longer Delaunay.
+#include <annulus/audit.h>
 #include <annulus/measure/counterexample.h>
-#include <annulus/mesh/audit.h>
 #include <annulus/predicate/filtered.h>
 #include <apps/reproduction/certificate_attack.h>
 

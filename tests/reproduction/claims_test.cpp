@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims, pages and parts of the reproduction, from artificial records.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/reproduction/checkpoints.h>
 #include <apps/reproduction/claims.h>
 #include <apps/reproduction/figures.h>

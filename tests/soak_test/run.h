@@ -5,7 +5,7 @@
 
 #include <support/motions.h>
 
-#include <annulus/engine/options.h>
+#include <annulus/options.h>
 
 #include <cstdint>
 #include <string>

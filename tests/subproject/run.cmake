@@ -52,13 +52,13 @@ function(header name flags expected words)
         message(SEND_ERROR "${name} with '${flags}': refused should be ${expected}\n${first}")
     endif()
 endfunction()
-set(environment arithmetic/environment.h)
+set(environment internal/compiler_flags.h)
 header(${environment} "-std=c++20" 0 "")
 foreach(flag IN ITEMS -ffast-math -ffinite-math-only -fassociative-math\ -fno-signed-zeros\ -fno-trapping-math)
     header(${environment} "-std=c++20 ${flag}" 1 "compile (it )?without")
 endforeach()
-foreach(name IN ITEMS ${environment} arithmetic/error.h arithmetic/stage.h moving_mesh.h moving_delaunay_2.h
-        moving_delaunay_3.h measure/voronoi_volumes.h)
+foreach(name IN ITEMS ${environment} error.h types.h moving_mesh.h moving_delaunay_2.h
+        moving_delaunay_3.h voronoi.h degeneracy.h)
     header(${name} "-std=c++17" 1 "-std=c[+][+]20")
 endforeach()
 

@@ -3,7 +3,7 @@
 
 // The certificates of a triangulation, found by comparing the facets of its cells. In 2D and in 3D.
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 // std::mt19937_64 (no standard distribution is used), so a seed gives the same case on every platform. The RapidCheck
 // part is in arbitrary.h; this header needs only the standard library.
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/predicate/certificate_value.h>
+#include <annulus/types.h>
 
 #include <array>
 #include <cstddef>

@@ -8,9 +8,9 @@
 #include <support/squeezes.h>
 #include <support/stages.h>
 
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <limits>
 #include <span>

@@ -7,7 +7,7 @@
 // 2D and in 3D, in rational numbers or, where only a direction is needed, in doubles. Nothing is shared with the
 // library.
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 
 #include <gmpxx.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <support/viewed_mesh.h>
 
+#include <annulus/kernel/delaunay_mesh.h>
 #include <support/viewed.h>
 
 namespace annulus::testing {

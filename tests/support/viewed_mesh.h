@@ -4,12 +4,11 @@
 // A Moving_delaunay with the members of Moving_mesh, so that a test can run through both classes, and a file that only
 // needs CGAL's triangulation beside the engine is compiled without CGAL. Tests of handles use Moving_delaunay itself.
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
-#include <annulus/mesh/audit.h>
-#include <annulus/mesh/measures.h>
-#include <annulus/mesh/mesh_cells.h>
+#include <annulus/audit.h>
+#include <annulus/error.h>
+#include <annulus/mesh_cells.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 #include <common/cells.h>
 
 #include <array>

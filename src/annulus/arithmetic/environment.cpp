@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/arithmetic/environment.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/rounding_guard.h>
+#include <annulus/error.h>
 
 #include <cfenv>
 #include <limits>

@@ -2,8 +2,8 @@
 #include <annulus/c/any_mesh.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/measure/voronoi_volumes.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 #include <annulus/mesh/cell_lists.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <cstddef>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/c/barrier.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <algorithm>
 #include <cstdint>

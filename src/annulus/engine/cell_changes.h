@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/move_report.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/change_log.h>
+#include <annulus/move_report.h>
 
 #include <array>
 #include <vector>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 namespace annulus::inline v1 {
 
 /// What work costs, in cells that are tested with all others (Sign_evaluator::test_all_cells, four at a time): 10 ns

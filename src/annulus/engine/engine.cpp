@@ -4,11 +4,11 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
 #include <annulus/engine/update_strategy.h>
+#include <annulus/error.h>
 
 #include <algorithm>
 #include <map>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
+#include <annulus/audit.h>
 #include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/mesh/audit.h>
 #include <annulus/mesh/change_log.h>
-#include <annulus/mesh/mesh_cells.h>
+#include <annulus/mesh_cells.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 
 #include <memory>
 #include <utility>

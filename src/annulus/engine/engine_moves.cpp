@@ -3,11 +3,11 @@
 #include <annulus/engine/engine.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/error.h>
 
 #include <algorithm>
 #include <functional>

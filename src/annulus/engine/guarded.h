@@ -3,9 +3,9 @@
 
 #include <annulus/engine/engine.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/naming_duplicates.h>
 #include <annulus/engine/update_strategy.h>
+#include <annulus/error.h>
 
 #include <utility>
 

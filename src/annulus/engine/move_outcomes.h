@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/move_report.h>
 #include <annulus/engine/step.h>
+#include <annulus/move_report.h>
 
 #include <vector>
 

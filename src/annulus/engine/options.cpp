@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/options.h>
+#include <annulus/options.h>
 
 namespace annulus::inline v1 {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/repair.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/error.h>
 #include <annulus/mesh/border.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include <annulus/engine/budget.h>
 #include <annulus/engine/cost_model.h>
-#include <annulus/engine/move_report.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/move_report.h>
 #include <annulus/predicate/exact_sign.h>
 
 #include <optional>

@@ -4,9 +4,9 @@
 #include <annulus/arithmetic/limits.h>
 #include <annulus/engine/budget.h>
 #include <annulus/engine/expiry_list.h>
-#include <annulus/engine/move_report.h>
 #include <annulus/engine/vertex_record.h>
-#include <annulus/mesh/index.h>
+#include <annulus/internal/index.h>
+#include <annulus/move_report.h>
 
 #include <cstdint>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/certificate_checker.h>
 #include <annulus/engine/cost_model.h>
-#include <annulus/engine/move_report.h>
+#include <annulus/move_report.h>
 
 #include <cstdint>
 #include <span>

@@ -3,8 +3,8 @@
 #include <annulus/engine/tolerance_strategy.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/trace.h>
+#include <annulus/error.h>
 #include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>

@@ -3,12 +3,12 @@
 
 #include <annulus/engine/displacement_budget.h>
 #include <annulus/engine/move_outcomes.h>
-#include <annulus/engine/options.h>
 #include <annulus/engine/rebuild_policy.h>
 #include <annulus/engine/repair.h>
 #include <annulus/engine/step.h>
 #include <annulus/engine/tolerance_policy.h>
 #include <annulus/engine/update_strategy.h>
+#include <annulus/options.h>
 
 #include <span>
 #include <vector>

@@ -2,8 +2,8 @@
 // How `tolerances` starts, when it keeps tolerances, and how it rebuilds.
 #include <annulus/engine/tolerance_strategy.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/sample.h>
+#include <annulus/error.h>
 
 #include <algorithm>
 #include <new>

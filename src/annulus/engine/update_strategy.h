@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/engine/move_report.h>
-#include <annulus/engine/options.h>
-#include <annulus/mesh/index.h>
+#include <annulus/internal/index.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <optional>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/arithmetic/truncated_double.h>
+#include <annulus/types.h>
 
 namespace annulus::inline v1 {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>

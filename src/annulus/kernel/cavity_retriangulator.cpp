@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/cavity_retriangulator.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/sort_unique.h>
 

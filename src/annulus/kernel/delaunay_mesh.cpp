@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/delaunay_mesh.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/kernel/builder.h>
 #include <annulus/mesh/insert_vertex.h>
 #include <annulus/mesh/replace_cells.h>

@@ -2,6 +2,7 @@
 // Delaunay_mesh: its queries.
 #include <annulus/kernel/delaunay_mesh.h>
 
+#include <annulus/mesh/list_cells.h>
 #include <annulus/mesh/table_measures.h>
 
 #include <algorithm>

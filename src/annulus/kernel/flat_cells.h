@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/mesh/index.h>
+#include <annulus/internal/flat_cells.h>
+#include <annulus/internal/index.h>
 
 #include <array>
 #include <span>
 #include <vector>
 
 namespace annulus::inline v1 {
-
-/// The Delaunay triangulation of vertices that lie in a hyperplane, and of infinity: segments between neighbours on a
-/// line, or triangles in a plane in 3D; each facet of the hull makes a cell with infinity. All cells have the same
-/// orientation.
-struct Flat_cells {
-    int dimension = -1;                            ///< affine, of the vertices; there are cells where it is 1 or 2
-    std::vector<std::array<Index, 3>> vertices;    ///< dimension + 1 for each cell, then `none`
-    std::vector<std::array<Index, 3>> neighbours;  ///< the cell opposite to each vertex, then `none`
-};
 
 /// The flat cells of these vertices at x: some of the indices of x, in any order. Precondition: no two of them are at
 /// one position. O(n log n).

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/inserter.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/error.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/predicate/bounds.h>
 #include <annulus/predicate/exact_sign.h>

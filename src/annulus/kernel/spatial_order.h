@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/kernel/bounding_box.h>
 #include <annulus/kernel/default_init_vector.h>
+#include <annulus/types.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/circumcentre.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/exact.h>
+#include <annulus/error.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/counterexample.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/displacement.h>
+#include <annulus/error.h>
 #include <annulus/predicate/filtered.h>
 #include <annulus/predicate/theta.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/degeneracy.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/measure/certificate_batch.h>
 #include <annulus/measure/paper_tolerance.h>
 #include <annulus/measure/spacing.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
-#include <annulus/measure/histogram.h>
+#include <annulus/degeneracy.h>
+#include <annulus/error.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/voronoi_exact.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/exact.h>
+#include <annulus/error.h>
 #include <annulus/measure/circumcentre.h>
 #include <annulus/space/euclidean.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/internal/dirty_cells.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/measure/voronoi_terms.h>
-#include <annulus/mesh/dirty_cells.h>
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
-#include <annulus/measure/voronoi_volumes.h>
+#include <annulus/error.h>
+#include <annulus/voronoi.h>
 
 #include <algorithm>
 #include <string>

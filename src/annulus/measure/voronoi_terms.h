@@ -3,9 +3,9 @@
 
 #include <annulus/measure/circumcentre.h>
 #include <annulus/measure/voronoi_exact.h>
-#include <annulus/measure/voronoi_volumes.h>
 #include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
+#include <annulus/voronoi.h>
 
 #include <algorithm>
 #include <array>

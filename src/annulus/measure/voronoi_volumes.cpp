@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/measure/voronoi_volumes.h>
+#include <annulus/voronoi.h>
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>

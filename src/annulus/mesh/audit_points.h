@@ -2,7 +2,7 @@
 #pragma once
 
 // What the audits of both dimensions share: coordinates as integers, and the record of faults.
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
 
 #include <gmp.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 namespace annulus::inline v1 {
 
 /// The number of threads TBB may use, the calling one included: `wanted`, but no more than the machine runs at once,

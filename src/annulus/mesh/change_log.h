@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/limits.h>
-#include <annulus/mesh/index.h>
+#include <annulus/internal/index.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>

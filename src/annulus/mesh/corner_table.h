@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/arithmetic/error.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/error.h>
+#include <annulus/internal/dirty_cells.h>
+#include <annulus/internal/grow.h>
+#include <annulus/internal/index.h>
 #include <annulus/mesh/change_log.h>
-#include <annulus/mesh/dirty_cells.h>
-#include <annulus/mesh/grow.h>
-#include <annulus/mesh/index.h>
 #include <annulus/mesh/small_set.h>
 #include <annulus/space/euclidean.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>
@@ -75,6 +75,9 @@ class Corner_table {
 
     [[nodiscard]] Index vertex(Corner_index h) const { return vertex_[h]; }
     [[nodiscard]] Corner_index twin(Corner_index h) const { return twin_[h]; }
+    /// These two by corner.
+    [[nodiscard]] std::span<const Index> vertex_array() const { return vertex_; }
+    [[nodiscard]] std::span<const Corner_index> twin_array() const { return twin_; }
     [[nodiscard]] Site<d> site(Corner_index h) const { return Site<d>(vertex(h)); }
     /// Brings the site of twin(h) into the cache.
     void prefetch_opposite(Corner_index h) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/index.h>
+#include <annulus/internal/index.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/stage.h>
 #include <annulus/predicate/certificate_value.h>
 #include <annulus/predicate/filtered_3.h>
+#include <annulus/types.h>
 
 #include <span>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 namespace annulus::inline v1::bounds {
 
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/stage.h>
 #include <annulus/space/places.h>
+#include <annulus/types.h>
 
 #include <cstdint>
-#include <string_view>
 
 namespace annulus::inline v1 {
-
-/// Which number is used as the tolerance of a certificate.
-enum class Tolerance_kind : std::uint8_t {
-    certified,  ///< a proved lower bound
-    paper,      ///< the standard annulus and parallel hyperplanes in plain double, no certificates of cells
-    floating,   ///< the same certificates and formulas as `certified`, in plain double without error bounds
-};
-
-[[nodiscard]] constexpr std::string_view name_of(Tolerance_kind kind) {
-    return kind == Tolerance_kind::certified ? "certified" : kind == Tolerance_kind::paper ? "paper" : "floating";
-}
 
 /// How precise a tolerance has to be.
 enum class Tolerance_precision : std::uint8_t {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/stage.h>
 #include <annulus/predicate/certificate_value.h>
+#include <annulus/types.h>
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 #if defined(__GNUC__) && !defined(__clang__)
 // g++'s own intrinsics for AVX-512 start from uninitialised registers, and g++ warns about these where they are used.
 #pragma GCC diagnostic push

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/arithmetic/rounding_guard.h>
-#include <annulus/arithmetic/stage.h>
+#include <annulus/types.h>
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/options.h>
+#include <annulus/options.h>
 
 // The sections of the paper and the files that implement them. The paper is P. M. M. de Castro, J. Tournois, P. Alliez,
 // O. Devillers, Filtering Relocations on a Delaunay Triangulation, Computer Graphics Forum 28(5), 2009.

@@ -3,7 +3,7 @@
 // paper_strategy_state.cpp.
 #include <annulus/published/paper_strategy.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/published/delimiter_side.h>
 
 #include <limits>

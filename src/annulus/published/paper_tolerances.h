@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/move_report.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/move_report.h>
+#include <annulus/options.h>
 #include <annulus/predicate/certificate_value.h>
 #include <annulus/published/least_tolerance.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/published/strategies.h>
 
-#include <annulus/arithmetic/error.h>
 #include <annulus/engine/rebuild_strategy.h>
 #include <annulus/engine/tolerance_strategy.h>
+#include <annulus/error.h>
 #include <annulus/published/paper_strategy.h>
 #include <annulus/published/relocation_strategy.h>
 

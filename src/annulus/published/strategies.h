@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/engine/options.h>
 #include <annulus/engine/update_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/options.h>
 #include <annulus/published/paper_choice.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Five points in 3D for which the paper's tolerance is too large (docs/theory.md 3).
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/result_files.h>

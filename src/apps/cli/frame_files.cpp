@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/frame_files.h>
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/measure/voronoi_volumes.h>
+#include <annulus/error.h>
+#include <annulus/voronoi.h>
 #include <apps/formats/decimal.h>
 #include <apps/formats/write_vtu.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/mesh_3.h>
 
+#include <annulus/kernel/delaunay_mesh.h>
 #include <apps/motion/mesh_quality.h>
 #include <apps/report/cut_picture.h>
 

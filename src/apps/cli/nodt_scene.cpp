@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/nodt_scene.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/format.h>
 #include <apps/formats/read_image.h>
 #include <apps/formats/read_surface.h>

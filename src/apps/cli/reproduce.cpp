@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The figures and claims of the paper, reproduced by runs on this machine.
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/version.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/journal.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/packing.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <new>
 #include <utility>

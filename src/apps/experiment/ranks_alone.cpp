@@ -2,7 +2,7 @@
 // One process, in a build without MPI (ranks_mpi.cpp is the other).
 #include <apps/experiment/ranks.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/experiment/launched.h>
 
 namespace annulus::inline v1 {

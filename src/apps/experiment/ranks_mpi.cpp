@@ -2,7 +2,7 @@
 // Several processes, in a build with MPI (ranks_alone.cpp is the other).
 #include <apps/experiment/ranks.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/experiment/launched.h>
 #include <apps/experiment/launcher_watch.h>
 #include <apps/experiment/packing.h>

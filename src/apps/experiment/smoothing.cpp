@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/smoothing.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/published/strategies.h>
 #include <apps/motion/generated_points.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/directory_lock.h>
 #include <apps/formats/output_directory.h>
 #include <apps/formats/text_output.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 namespace annulus::inline v1 {
 
 /// How to treat a file with a periodic box; triangulations here are not periodic.

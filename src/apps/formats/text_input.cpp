@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 #include <apps/formats/file_bytes.h>
 #include <apps/formats/text_input.h>
 

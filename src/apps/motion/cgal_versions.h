@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR >= 1060000000

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
+#include <annulus/types.h>
 
 #include <cstddef>
 #include <span>

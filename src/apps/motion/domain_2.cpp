@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/domain_2.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/convex_ring_2.h>
 #include <apps/motion/moments_2.h>
 #include <apps/motion/vector_2.h>

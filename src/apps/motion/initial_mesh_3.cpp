@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/initial_mesh_3.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/mesh_domain_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/lloyd_2.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <apps/motion/moments_2.h>
 #include <apps/motion/voronoi_cell_2.h>

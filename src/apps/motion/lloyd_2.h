@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
 #include <annulus/mesh/neighbours.h>
+#include <annulus/types.h>
 #include <apps/motion/cell_2.h>
 #include <apps/motion/density_2.h>
 #include <apps/motion/domain_2.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/measure/histogram.h>
+#include <annulus/degeneracy.h>
 #include <apps/motion/cells_3.h>
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/nodt_3.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <apps/motion/dihedral.h>
 #include <apps/motion/distinct_targets.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/sampling_2.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>

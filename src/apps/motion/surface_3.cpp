@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/motion/surface_3.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/motion/cgal_versions.h>
 #include <apps/motion/nearest_search.h>
 #include <apps/motion/surface_faults.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 namespace annulus::inline v1 {
 
 /// The style sheet of reports. The colours of curves c0 to c6 are Okabe and Ito's, which remain distinguishable under

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/certificate_survey.h>
 
+#include <annulus/degeneracy.h>
 #include <annulus/engine/displacement.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/measure/degeneracy.h>
-#include <annulus/measure/histogram.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/published/standard_annulus.h>
 

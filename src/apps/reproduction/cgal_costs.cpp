@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/cgal_costs.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/reproduction/processor_time.h>
 
 #include <algorithm>

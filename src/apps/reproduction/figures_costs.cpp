@@ -82,7 +82,7 @@ Plot speed_plot(std::string title, const std::vector<const Benchmark_record*>& b
     };
     for (const Benchmark_record* benchmark : benchmarks) add(*benchmark, contender, name_of_curve(*benchmark));
     if (relocation && !benchmarks.empty())
-        add(*benchmarks.front(), "relocate-cgal", "by CGAL (" + name_of_curve(*benchmarks.front()) + ")");
+        add(*benchmarks.front(), "relocate-cgal", "CGAL's relocation (" + name_of_curve(*benchmarks.front()) + ")");
     return plot;
 }
 

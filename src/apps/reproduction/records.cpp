@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/records.h>
 
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 
 #include <nlohmann/json.hpp>
 

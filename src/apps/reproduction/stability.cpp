@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/stability.h>
 
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/evaluate.h>
 #include <annulus/predicate/half_width.h>
 #include <annulus/published/standard_annulus.h>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/error.h>
-#include <annulus/cgal/view.h>
-#include <annulus/engine/engine.h>
-#include <annulus/published/strategies.h>
+#include <annulus/error.h>
+#include <annulus/internal/view.h>
+#include <annulus/moving_mesh.h>
 
 #include <iterator>
 #include <memory>
@@ -59,11 +58,7 @@ class Moving_delaunay {
         : Moving_delaunay(std::span<const Coordinates<d>>(coordinates(first, last)), options) {}
     /// The same from plain coordinates. Throws too_large as well.
     explicit Moving_delaunay(std::span<const Coordinates<d>> points, const Options& options = {})
-        : mesh_(std::make_unique<Delaunay_mesh<d>>()),
-          engine_(std::make_unique<Engine<d>>(*mesh_, options, make_strategy<d>(*mesh_, options))) {
-        engine_->build(points);
-        view_ = std::make_unique<View>(*mesh_, engine_->positions());
-    }
+        : mesh_(points, options), view_(std::make_unique<View>(Mesh_access<d>(mesh_), mesh_.points())) {}
 
     /// Handles, and pointers to CGAL's object, stay valid and belong to the object that was moved to. The object that
     /// was moved from can only be destroyed or assigned to. O(1).
@@ -77,7 +72,7 @@ class Moving_delaunay {
     Move_report move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
     Move_report move(Index i, const Coordinates<d>& p) {
         invalidate({&i, 1});
-        return engine_->move(i, p);
+        return mesh_.move(i, p);
     }
     /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
     /// is named twice, its last point counts. Under a strategy that repairs the mesh, fewer than one vertex in 64 cost
@@ -85,7 +80,7 @@ class Moving_delaunay {
     /// throws.
     Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
         invalidate(indices);
-        return engine_->move(indices, points);
+        return mesh_.move(indices, points);
     }
     template <class Range>
     requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
@@ -113,7 +108,7 @@ class Moving_delaunay {
     /// out_of_domain, duplicate_point.
     Move_report move_all(std::span<const Coordinates<d>> points) {
         view_->invalidate();
-        return engine_->move_all(points);
+        return mesh_.move_all(points);
     }
     template <class Range>
     requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
@@ -123,50 +118,46 @@ class Moving_delaunay {
 
     /// Inserts a vertex. Throws not_finite, out_of_domain, duplicate_point.
     Vertex_handle insert(const Point& p, Move_report* report = nullptr) {
-        Move_report done;
         invalidate({});
         view_->reserve_vertex();
         Index i = none;
         try {
-            i = engine_->insert(View::coordinates(p), done);
+            i = mesh_.insert(View::coordinates(p), report);
         } catch (...) {
             view_->drop_reserved();
             throw;
         }
-        if (report) *report = std::move(done);
         return view_->adopt(i, positions()[at(i)]);
     }
     /// Removes a vertex. Its handle becomes invalid, its index free. Throws unknown_vertex. When memory runs out, the
     /// vertex may be gone: then vertex(i) is null at its index, which is the one freed last, and everything else is
     /// right.
     void remove(Vertex_handle v, Move_report* report = nullptr) {
-        Move_report done;
         const Index i = index(v);
         invalidate({});
         try {
-            engine_->remove(i, done);
+            mesh_.remove(i, report);
         } catch (...) {
-            if (!engine_->is_vertex(i)) view_->forget(i);
+            if (!mesh_.is_vertex(i)) view_->forget(i);
             throw;
         }
         view_->forget(i);
-        if (report) *report = std::move(done);
     }
     /// Makes every moving position the fixed one and recomputes every tolerance. O(n). With tolerances that are not
     /// certified, two vertices may have come to one position unnoticed; then it throws duplicate_point, as do insert
     /// and remove, until one of them has moved away.
     Move_report recompute_tolerances() {
         view_->invalidate();
-        return engine_->recompute_tolerances();
+        return mesh_.recompute_tolerances();
     }
 
     /// CGAL's object; its points are the positions, and it is Delaunay. With tolerances that are not certified, its
     /// points are the fixed positions, at which it is Delaunay. O(k) for the k cells that have changed and vertices
     /// that have moved since the last call. Throws bad_alloc.
-    [[nodiscard]] const Triangulation& triangulation() const { return view_->update(engine_->delaunay_positions()); }
-    [[nodiscard]] std::size_t number_of_vertices() const { return mesh_->vertices(); }
+    [[nodiscard]] const Triangulation& triangulation() const { return view_->update(mesh_.delaunay_positions()); }
+    [[nodiscard]] std::size_t number_of_vertices() const { return mesh_.number_of_vertices(); }
     /// One more than the largest index in use or free: the number of points that move_all takes.
-    [[nodiscard]] std::size_t index_bound() const { return engine_->index_bound(); }
+    [[nodiscard]] std::size_t index_bound() const { return mesh_.index_bound(); }
     /// Null for a free index. O(1) after triangulation(). Throws unknown_vertex beyond index_bound().
     [[nodiscard]] Vertex_handle vertex(std::size_t i) const {
         if (i >= index_bound())
@@ -183,27 +174,27 @@ class Moving_delaunay {
         return i;
     }
     /// The vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
-    [[nodiscard]] std::span<const Index> vertex_of_input() const { return engine_->vertex_of_input(); }
+    [[nodiscard]] std::span<const Index> vertex_of_input() const { return mesh_.vertex_of_input(); }
 
     [[nodiscard]] Point position(Vertex_handle v) const { return View::point(positions()[at(index(v))]); }
     /// Positions by index; those at free indices are unspecified.
-    [[nodiscard]] std::span<const Coordinates<d>> positions() const { return engine_->positions(); }
+    [[nodiscard]] std::span<const Coordinates<d>> positions() const { return mesh_.points(); }
     /// The position from which D is measured; for strategies without tolerances the position itself.
-    [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(engine_->fixed_position(index(v))); }
+    [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(mesh_.fixed_position(index(v))); }
     /// How far v may be from its fixed position while every other vertex is within its own tolerance: a certified
     /// lower bound with Tolerance_kind::certified. After recompute_tolerances() (and always for strategies that keep
     /// no tolerances) the least tolerance of the certificates of v.
-    [[nodiscard]] double tolerance(Vertex_handle v) const { return engine_->tolerance(index(v)); }
+    [[nodiscard]] double tolerance(Vertex_handle v) const { return mesh_.tolerance(index(v)); }
     /// Upper bound of |position - fixed position|.
-    [[nodiscard]] double displacement(Vertex_handle v) const { return engine_->displacement(index(v)); }
+    [[nodiscard]] double displacement(Vertex_handle v) const { return mesh_.displacement(index(v)); }
     /// The least theta of the finite bi-cells of v in radians (theory 4); pi/2 when v has none.
-    [[nodiscard]] double theta(Vertex_handle v) const { return mesh_->theta(engine_->delaunay_positions(), index(v)); }
+    [[nodiscard]] double theta(Vertex_handle v) const { return mesh_.theta(index(v)); }
 
     /// Tolerances, annulus widths and theta of everything, computed for this call, whatever the strategy. O(n).
-    [[nodiscard]] Measures measure() const { return mesh_->measure(engine_->delaunay_positions()); }
+    [[nodiscard]] Measures measure() const { return mesh_.measure(); }
 
     /// Every finite cell, as vertex indices. O(n).
-    [[nodiscard]] Mesh_cells<d> cells() const { return engine_->cells(); }
+    [[nodiscard]] Mesh_cells<d> cells() const { return mesh_.cells(); }
 
     /// Exact verdict on the cells at the present positions; see audit.h. Faults of CGAL's object itself count as
     /// topological ones: handles allow a caller to write in it (`vertex(i)->set_point(p)`), which the strategy does
@@ -212,20 +203,20 @@ class Moving_delaunay {
     [[nodiscard]] Audit_result audit() const {
         Audit_result object;
         (void)triangulation();
-        if (!view_->audit(engine_->delaunay_positions(), object)) return object;
-        Audit_result result = annulus::audit(audit_input());
+        if (!view_->audit(mesh_.delaunay_positions(), object)) return object;
+        Audit_result result = mesh_.audit();
         result.topological_faults += object.topological_faults;
         if (!object.first_fault.empty()) result.first_fault = std::move(object.first_fault);
         return result;
     }
     /// The finite cells and the present positions, renumbered without the free indices.
-    [[nodiscard]] Audit_input<d> audit_input() const { return engine_->audit_input(); }
+    [[nodiscard]] Audit_input<d> audit_input() const { return mesh_.audit_input(); }
 
-    [[nodiscard]] const Options& options() const { return engine_->options(); }
+    [[nodiscard]] const Options& options() const { return mesh_.options(); }
     /// The strategy in force: that of the options, except that `paper-hybrid` becomes `paper` when it switches.
-    [[nodiscard]] Strategy strategy() const { return engine_->strategy(); }
+    [[nodiscard]] Strategy strategy() const { return mesh_.strategy(); }
     /// The mesh that the strategies work on.
-    [[nodiscard]] const Delaunay_mesh<d>& mesh() const { return *mesh_; }
+    [[nodiscard]] const Delaunay_mesh<d>& mesh() const { return mesh_.mesh(); }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -244,8 +235,7 @@ class Moving_delaunay {
         for (const Index i : indices) view_->invalidate(i);
     }
 
-    std::unique_ptr<Delaunay_mesh<d>> mesh_;
-    std::unique_ptr<Engine<d>> engine_;
+    Moving_mesh<d> mesh_;
     std::unique_ptr<View> view_;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Cgal_view: how it is brought up to date.
-#include <annulus/cgal/view.h>
+#include <annulus/internal/view.h>
 
 #include <algorithm>
 #include <new>
@@ -11,24 +11,24 @@
 namespace annulus::inline v1 {
 
 template <class Traits>
-Cgal_view<Traits>::Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x) : mesh_(mesh) {
+Cgal_view<Traits>::Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x) : mesh_(mesh) {
     tr_.infinite_vertex()->set_index(infinite);
     handle_.resize(x.size());
     create_vertices();
-    mesh.table().set_dirty_cells(dirty_cells_);
+    mesh_.set_dirty_cells(dirty_cells_);
 }
 
 /// In the order of cells, which is a spatial one, so that vertices near each other are near in memory.
 template <class Traits>
 void Cgal_view<Traits>::create_vertices() {
     const auto create = [this](Index v) {
-        if (v < 0 || !mesh_.has(v) || handle_[at(v)] != Vertex_handle()) return;
+        if (v < 0 || handle_[at(v)] != Vertex_handle() || !mesh_.has(v)) return;
         handle_[at(v)] = tr_.tds().create_vertex();
         handle_[at(v)]->set_index(v);
     };
-    const Corner_table<d>& t = mesh_.table();
+    const Table_cells<d> t = mesh_.cells();
     for (const Cell_index c : t.cells())
-        for (const Index v : cell_vertices(t, c)) create(v);
+        for (const Index v : t.vertices(c)) create(v);
     for (std::size_t v = 0; v < handle_.size(); ++v) create(static_cast<Index>(v));
 }
 
@@ -109,8 +109,7 @@ void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
 
 /// Writes the vertices and neighbours of a cell. Precondition: each neighbour has a CGAL cell.
 template <class Traits>
-void Cgal_view<Traits>::write_cell(Cell_index c) const {
-    const Corner_table<d>& t = mesh_.table();
+void Cgal_view<Traits>::write_cell(const Table_cells<d>& t, Cell_index c) const {
     const Cell_handle cell = cell_[c];
     cell->set_cell(c.value());
     for (int i = 0; i <= d; ++i) {
@@ -126,7 +125,7 @@ void Cgal_view<Traits>::write_cell(Cell_index c) const {
 
 template <class Traits>
 void Cgal_view<Traits>::write_cells(std::span<const Cell_index> cells) const {
-    const Corner_table<d>& t = mesh_.table();
+    const Table_cells<d> t = mesh_.cells();
     auto& tds = tr_.tds();
     grow(cell_, t.cell_bound().offset());
     std::vector<Cell_handle> left;
@@ -144,13 +143,13 @@ void Cgal_view<Traits>::write_cells(std::span<const Cell_index> cells) const {
     }
     for (const Cell_handle c : left) Traits::delete_cell(tds, c);
     for (const Cell_index c : cells)
-        if (c < t.cell_bound() && t.is_cell(c)) write_cell(c);
+        if (c < t.cell_bound() && t.is_cell(c)) write_cell(t, c);
 }
 
 /// Overwrites the existing CGAL cells, in their order in memory.
 template <class Traits>
 void Cgal_view<Traits>::write_all_cells() const {
-    const Corner_table<d>& t = mesh_.table();
+    const Table_cells<d> t = mesh_.cells();
     auto& tds = tr_.tds();
     auto& there = Traits::cells(tds);
     const std::size_t bound = t.cell_bound().offset();
@@ -166,7 +165,7 @@ void Cgal_view<Traits>::write_all_cells() const {
     for (const Cell_index c : t.cells())
         if (cell_[c] == Cell_handle()) cell_[c] = Traits::create_cell(tds);
     tds.set_dimension(d);
-    for (const Cell_index c : t.cells()) write_cell(c);
+    for (const Cell_index c : t.cells()) write_cell(t, c);
 }
 
 template <class Traits>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/arithmetic/stage.h>
+#include <annulus/types.h>
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
 
 // Cgal_view: whether CGAL's object is still as update() made it. Its handles allow callers to write in it although it
 // is const.
-#include <annulus/cgal/view.h>
-#include <annulus/mesh/audit.h>
+#include <annulus/audit.h>
+#include <annulus/internal/view.h>
 
 #include <algorithm>
 #include <array>
@@ -89,12 +89,12 @@ void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
             if (k != i && (!n->has_vertex(c->vertex(k)) || n->index(c->vertex(k)) == j)) return false;
         return true;
     };
-    const Corner_table<d>& t = mesh_.table();
+    const Table_cells<d> t = mesh_.cells();
     std::size_t found = 0;
     Traits::for_each_cell(tr_, [&](Cell_handle c) {
         const Cell_index number = number_of(c);
         const bool known = number.value() >= 0 && number < t.cell_bound() && cell_.has(number) && cell_[number] == c &&
-                           t.is_cell(number) && cell_vertices(t, number) == points_of(c);
+                           t.is_cell(number) && t.vertices(number) == points_of(c);
         if (known) ++found;
         else detail::object_fault(result, "the mesh has not the cell of CGAL's object" + written(c));
         for (int i = 0; i <= d; ++i) {

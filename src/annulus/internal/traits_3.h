@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cgal/types_3.h>
+#include <annulus/internal/types_3.h>
 
 namespace annulus::inline v1 {
 

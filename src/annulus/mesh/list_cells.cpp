@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/mesh/mesh_cells.h>
+#include <annulus/mesh/list_cells.h>
 
 #include <annulus/mesh/certificates.h>
 #include <annulus/mesh/corner_table.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/cgal/traits_2.h>
-#include <annulus/cgal/view.h>
+#include <annulus/internal/traits_2.h>
+#include <annulus/internal/view.h>
 
 namespace annulus::inline v1 {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// environment.h refuses -ffast-math: CGAL's predicates are compiled here, with the caller's flags.
-#include <annulus/arithmetic/environment.h>
-#include <annulus/kernel/delaunay_mesh.h>
-#include <annulus/mesh/audit.h>
-#include <annulus/mesh/dirty_cells.h>
+// CGAL's predicates are compiled here, with the caller's flags.
+#include <annulus/audit.h>
+#include <annulus/internal/compiler_flags.h>
+#include <annulus/internal/mesh_access.h>
 
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <span>
@@ -34,7 +34,7 @@ class Cgal_view {
     [[nodiscard]] static Point point(const Coordinates<d>& x) { return Traits::point(x); }
 
     /// Copies a mesh that is built, at positions x. The mesh must not change any more once the view is gone. O(n).
-    Cgal_view(Delaunay_mesh<d>& mesh, std::span<const Coordinates<d>> x);
+    Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x);
     Cgal_view(const Cgal_view&) = delete;
     Cgal_view& operator=(const Cgal_view&) = delete;
 
@@ -66,7 +66,7 @@ class Cgal_view {
     bool audit(std::span<const Coordinates<d>> x, Audit_result& result) const;
 
   private:
-    using Points = Cell_vertices<d>;
+    using Points = std::array<Index, static_cast<std::size_t>(d + 1)>;
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     [[nodiscard]] Vertex_handle vertex_of(Index v) const {
         return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
@@ -79,7 +79,7 @@ class Cgal_view {
     void update_cells(std::span<const Coordinates<d>> x) const;
     void update_points(std::span<const Coordinates<d>> x) const;
     void write_cells(std::span<const Cell_index> cells) const;
-    void write_cell(Cell_index c) const;
+    void write_cell(const Table_cells<d>& t, Cell_index c) const;
     void write_all_cells() const;
     void write_flat_cells(std::span<const Coordinates<d>> x) const;
     void write_vertices() const;
@@ -98,7 +98,7 @@ class Cgal_view {
         std::mutex updating;
     };
 
-    Delaunay_mesh<d>& mesh_;
+    Mesh_access<d> mesh_;
     mutable Triangulation tr_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a free index
     Vertex_handle spare_;                // made by reserve_vertex()
@@ -110,5 +110,5 @@ class Cgal_view {
 
 }  // namespace annulus::inline v1
 
-#include <annulus/cgal/update.h>
-#include <annulus/cgal/view_audit.h>
+#include <annulus/internal/update.h>
+#include <annulus/internal/view_audit.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
-#include <annulus/cgal/no_info.h>
-#include <annulus/mesh/index.h>
+#include <annulus/internal/index.h>
+#include <annulus/internal/no_info.h>
+#include <annulus/types.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
+#include <annulus/types.h>
 
 namespace annulus::inline v1 {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/predicate/certificate_value.h>
+#include <annulus/types.h>
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -37,6 +38,17 @@ enum class Strategy : std::uint8_t {
         case Strategy::paper_hybrid: return "paper-hybrid";
     }
     return "";
+}
+
+/// Which number is used as the tolerance of a certificate.
+enum class Tolerance_kind : std::uint8_t {
+    certified,  ///< a proved lower bound
+    paper,      ///< the standard annulus and parallel hyperplanes in plain double, no certificates of cells
+    floating,   ///< the same certificates and formulas as `certified`, in plain double without error bounds
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Tolerance_kind kind) {
+    return kind == Tolerance_kind::certified ? "certified" : kind == Tolerance_kind::paper ? "paper" : "floating";
 }
 
 [[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
