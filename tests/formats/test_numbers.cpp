@@ -61,9 +61,26 @@ TEST_CASE("decimals are rounded to nearest, at both ends of the range too") {
     CHECK(parse_double("1.7976931348623159e308", unused) == Number_kind::too_large);
     CHECK(parse_double("-infinity", unused) == Number_kind::too_large);
     CHECK(parse_double("NaN", unused) == Number_kind::nan);
-    for (const char* text : {"", "+", "-", ".", "e5", "1e", "1 ", " 1", "1e5x", "0x1p3", "++1", "+-1", "1_000", "1e+-5",
-                             "1.5D+01", "1.5d1", "1.5+101", "1,5"})
+    for (const char* text :
+         {"",      "+",     "-",   ".",    "e5", "1e",     "1 ",     " 1",       "1e5x",     "0x1p3",   "++1",    "+-1",
+          "1_000", "1e+-5", "1,5", "1.5D", "D1", "1.5+10", "15+101", "2024-101", "1.5+1011", "1.5+1x1", "1.5d+-1"})
         CHECK(parse_double(text, unused) == Number_kind::not_a_number);
+}
+
+TEST_CASE("exponents as Fortran writes them are exponents") {
+    CHECK(parsed("1.5D+01") == 15);
+    CHECK(parsed("-1.5d1") == -15);
+    CHECK(parsed("+2D-2") == 0.02);
+    CHECK(parsed("0.1D0") == 0.1);
+    CHECK(parsed("1.5+101") == 1.5e101);
+    CHECK(parsed("-.5-101") == -0.5e-101);
+    CHECK(parsed("1.-300") == 1e-300);
+    double unused = 0;
+    CHECK(parse_double("1D400", unused) == Number_kind::too_large);
+    CHECK(parsed("1.0-999") == 0);
+    // No longer than any program writes a number.
+    CHECK(parsed("1." + std::string(60, '0') + "D1") == 10);
+    CHECK(parse_double("1." + std::string(61, '0') + "D1", unused) == Number_kind::not_a_number);
 }
 
 TEST_CASE("writing and reading a double gives its bits back") {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -15,30 +14,6 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-constexpr bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
-
-/// For a decimal that from_chars calls out of range, too large or too small: whether its magnitude is at least 1.
-bool is_large(std::string_view text) noexcept {
-    long long exponent = 0;  // of ten, of the first digit that is not zero
-    bool seen = false;
-    bool fraction = false;
-    std::size_t i = 0;
-    for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
-        if (text[i] == '.') fraction = true;
-        if (!is_digit(text[i])) continue;
-        if (fraction && !seen) --exponent;
-        if (!fraction && seen) ++exponent;
-        seen = seen || text[i] != '0';
-    }
-    if (i == text.size()) return exponent >= 0;
-    ++i;
-    const bool negative = i < text.size() && text[i] == '-';
-    if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
-    long long written = 0;
-    // Saturates far beyond any length a file can have, so the sum below cannot overflow.
-    for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 1LL << 58);
-    return exponent + (negative ? -written : written) >= 0;
-}
 
 /// A text of coordinates packs to a third or a tenth; content that expands without end is not text.
 void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line) {
@@ -90,19 +65,6 @@ Source load_file(File_bytes& bytes, std::uint64_t most) {
     if (source.content.starts_with(byte_order_mark)) source.content.erase(0, byte_order_mark.size());
     if (source.content.empty()) throw Input_error(Error_code::bad_input, source.name, 1, "is empty", "data");
     return source;
-}
-
-Number_kind parse_double(std::string_view text, double& value) noexcept {
-    if (text.size() > 1 && text[0] == '+' && (is_digit(text[1]) || text[1] == '.')) text.remove_prefix(1);
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code == std::errc::invalid_argument || end != text.data() + text.size()) return Number_kind::not_a_number;
-    if (code == std::errc::result_out_of_range) {
-        if (is_large(text)) return Number_kind::too_large;
-        value = text[0] == '-' ? -0. : 0.;
-        return Number_kind::finite;
-    }
-    if (std::isnan(value)) return Number_kind::nan;
-    return std::isinf(value) ? Number_kind::too_large : Number_kind::finite;
 }
 
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& words) {

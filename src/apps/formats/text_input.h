@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/formats/input_error.h>
+#include <apps/formats/parse_double.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -33,14 +34,6 @@ inline constexpr std::uint64_t most_of_a_pipe = std::uint64_t{1} << 30;
 [[nodiscard]] Source load_file(const std::filesystem::path& file,
                                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 [[nodiscard]] Source load_file(File_bytes& bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
-
-/// The result of reading a decimal number.
-enum class Number_kind { finite, not_a_number, nan, too_large };
-
-/// Decimal to double, correctly rounded (to nearest) and independent of the locale; a leading + is accepted, further
-/// characters after the number are not. Magnitudes too small for a double give zero, infinities and those too large are
-/// `too_large`.
-[[nodiscard]] Number_kind parse_double(std::string_view text, double& value) noexcept;
 
 /// The words of a line between blanks.
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& words);
