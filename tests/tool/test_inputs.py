@@ -238,6 +238,8 @@ class Kinds(ToolTest):
                                   ("a.mesh", ["audit"]), ("a.stl", ["nodt", "-n", "50", "--surface"]),
                                   ("a.png", ["lloyd", "-n", "50", "--density"]),
                                   ("a.toml", ["sweep", "--output", "out"])):
+                if words == "is text in UTF-16" and name in ("a.csv", "a.xyz"):
+                    continue  # these are read
                 self.write(name, content)
                 line = self.refuse(3, *command, name)
                 self.assertRegex(line, rf"\Aannulus: {name}(:1)?: {words}.*; expected ")

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/file_bytes.h>
-#include <apps/formats/file_kind.h>
 #include <apps/formats/format.h>
 #include <apps/formats/input_error.h>
 
@@ -111,10 +110,23 @@ bool File_bytes::take(std::string& content) {
 bool File_bytes::more(std::string& content) {
     const std::size_t before = content.size();
     const bool any = take(content);
-    if (std::exchange(told_, true)) return any;
-    if (const auto kind = foreign_kind(std::string_view(content).substr(before)))
-        fail(std::string(kind->fault), std::string(kind->expected));
+    if (!std::exchange(told_, true)) {
+        const std::string_view begin = std::string_view(content).substr(before);
+        const auto kind = foreign_kind(begin);
+        if (kind && (kind->kind == Foreign::other || kind->kind != accepted_))
+            fail(std::string(kind->fault), std::string(kind->expected));
+        if (kind && kind->kind == Foreign::utf16) decoder_ = std::make_unique<Utf16_decoder>(begin);
+    }
+    if (decoder_) decode(content, before, !any);
     return any;
+}
+
+/// Replaces what was just read, from `before` on, by the same in UTF-8.
+void File_bytes::decode(std::string& content, std::size_t before, bool ends) {
+    const std::string wide = content.substr(before);
+    content.resize(before);
+    if (!decoder_->append(wide, content)) fail("has half of a pair of surrogates", "text in UTF-16, as it begins");
+    if (ends && !decoder_->complete()) fail("ends within a character", "text in UTF-16, as it begins");
 }
 
 bool File_bytes::inflate(std::string& content) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <apps/formats/file_kind.h>
+#include <apps/formats/utf16.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -13,7 +16,7 @@ namespace annulus::inline v1 {
 /// begins like a gzip file, the unpacked bytes, all members one after the other.
 ///
 /// Devices, which may have no end, are refused by any name but `-`. Files that foreign_kind recognises are refused with
-/// their kind.
+/// their kind, unless `accept` names it.
 ///
 /// Not zlib's gzread: that silently takes a damaged second member as the end of the file.
 class File_bytes {
@@ -24,7 +27,11 @@ class File_bytes {
     File_bytes(const File_bytes&) = delete;
     File_bytes& operator=(const File_bytes&) = delete;
 
-    /// Appends the next bytes to `content`, 64 KiB at most; false at the end. Throws Input_error when the file cannot
+    /// A kind that is not refused: text in UTF-16 is handed out as text in UTF-8. To be called before the first bytes
+    /// are requested.
+    void accept(Foreign kind) noexcept { accepted_ = kind; }
+
+    /// Appends the next bytes to `content`, 96 KiB at most; false at the end. Throws Input_error when the file cannot
     /// be read further, its packed content is damaged or cut off, or it is of a foreign kind.
     bool more(std::string& content);
 
@@ -44,11 +51,14 @@ class File_bytes {
     bool take(std::string& content);
     bool fill();
     bool inflate(std::string& content);
+    void decode(std::string& content, std::size_t before, bool ends);
 
     std::string name_;
     bool standard_input_;
     bool begun_ = false;
-    bool told_ = false;  ///< whether its first bytes were found not to be of a foreign kind
+    bool told_ = false;  ///< whether its first bytes were found not to be of a foreign kind, or of one that is accepted
+    Foreign accepted_ = Foreign::other;
+    std::unique_ptr<Utf16_decoder> decoder_;
     int file_ = -1;      ///< descriptor
     std::string block_;  ///< as read from the file, not yet handed out or inflated
     std::unique_ptr<Inflater> inflater_;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr Foreign_kind utf16{"is text in UTF-16", "text in UTF-8 or ASCII"};
+constexpr Foreign_kind utf16{"is text in UTF-16", "text in UTF-8 or ASCII", Foreign::utf16};
 constexpr Foreign_kind utf32{"is text in UTF-32", "text in UTF-8 or ASCII"};
 constexpr std::string_view unpacked = "the file unpacked, or packed by gzip";
 constexpr std::string_view table = "points as text";

@@ -12,9 +12,13 @@ inline constexpr std::size_t telling_bytes = 8;
 /// Whether a gzip file begins like this.
 [[nodiscard]] bool begins_as_gzip(std::string_view bytes) noexcept;
 
-/// The kind of a file that no reader accepts, and what to supply instead.
+/// What only some readers accept: text in UTF-16. `other` is accepted by none.
+enum class Foreign { other, utf16 };
+
+/// The kind of a file that is not text in ASCII or UTF-8, and what to supply instead.
 struct Foreign_kind {
     std::string_view fault, expected;
+    Foreign kind = Foreign::other;
 };
 
 /// Decides by the first bytes, `telling_bytes` of them where there are as many: text in UTF-16 or UTF-32, with a byte

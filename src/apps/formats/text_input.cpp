@@ -80,7 +80,7 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& words
     }
 }
 
-Line_reader::Line_reader(File_bytes& bytes) : name_(bytes.name()), bytes_(&bytes) {}
+Line_reader::Line_reader(File_bytes& bytes) : name_(bytes.name()), bytes_(&bytes) { bytes.accept(Foreign::utf16); }
 
 /// Appends the next block to the buffer; false at the end.
 bool Line_reader::more() {

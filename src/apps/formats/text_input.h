@@ -47,8 +47,8 @@ void split_at_blanks(std::string_view line, std::vector<std::string_view>& words
 class Line_reader {
   public:
     explicit Line_reader(const Source& source) : name_(source.name), rest_(source.content) {}
-    /// Nothing is read before the first line is requested. A leading byte order mark is skipped, an empty file is a
-    /// fault.
+    /// Nothing is read before the first line is requested. Text in UTF-16 is read as text in UTF-8. A leading byte
+    /// order mark is skipped, an empty file is a fault.
     explicit Line_reader(File_bytes& bytes);
     Line_reader(const Line_reader&) = delete;  // views of its own text
     Line_reader& operator=(const Line_reader&) = delete;
