@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes -> a file -> a reader. The first byte says which: A to T of the table below, a to t the same packed by gzip.
+// Bytes -> a file -> a reader. The first byte says which: A to Y of the table below, a to y the same packed by gzip.
 // The result of a reader satisfies its header's contract; exceptions are an Input_error in one line; allocations are
 // bounded by the bytes of the file.
 #include <apps/formats/frame_points.h>
@@ -20,6 +20,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -61,6 +62,15 @@ void require(bool holds, const char* promise) {
     if (holds) return;
     std::cerr << "// broken: " << promise << "\n";
     std::abort();
+}
+
+void check_error(const Input_error& error, const fs::path& file, std::size_t size) {
+    const std::string what = error.what();
+    require(error.file() == file.string() && what.starts_with(error.file()), "an error names the file");
+    require(!error.fault().empty() && !error.expected().empty(), "a fault, and what was expected");
+    require(std::none_of(what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
+            "an error is one line");
+    require(error.line() <= size + 1, "a line that is there");
 }
 
 template <std::size_t d>
@@ -144,6 +154,32 @@ void motion(const fs::path& file) {
 void dump(const fs::path& file) {
     const Motion_options options{.box = {.ignored = true}};
     check_motion(file, read_motion(file, options), options);
+}
+
+/// A table whose columns the caller names, by names and by numbers.
+void named(const fs::path& file) {
+    for (const char* columns : {"id=a,frame=b,x=c,y=d", "id=1,frame=2,x=3,y=4,z=5"}) {
+        const Motion_options options{
+            .absent = Absent_frames::skip, .box = {.ignored = true}, .columns = parse_column_choice(columns)};
+        try {
+            check_motion(file, read_motion(file, options), options);
+        } catch (const Input_error& error) {
+            check_error(error, file, std::numeric_limits<std::size_t>::max() - 1);  // the file may be packed
+        }
+    }
+}
+
+/// Rows taken as they come are those of the frames in order.
+void any_order(const fs::path& file) {
+    File_bytes bytes(file);
+    const auto frames = frames_of(bytes, Format::csv, {.box = {.ignored = true}, .in_order = false});
+    Raw_frame raw;
+    std::size_t rows = 0;
+    while (frames->next(raw)) rows += raw.points.points.size();
+    const Recorded_motion m = read_motion(file, {.absent = Absent_frames::skip});
+    std::size_t points = 0;
+    for (const Frame& frame : m.frames) points += frame.position.size();
+    require(points == rows, "the same rows in any order");
 }
 
 void check_closed(const Triangle_surface& s) {
@@ -239,6 +275,11 @@ constexpr Kind kinds[] = {
     {".dump", dump},                          // R
     {".pgm", picture},                        // S
     {".png", picture},                        // T
+    {".npy", points},                         // U
+    {".npy", dump},                           // V
+    {".csv", named},                          // W
+    {".csv", any_order},                      // X
+    {".txt", motion<Absent_frames::skip>},    // Y
 };
 constexpr unsigned packed_bytes = 15;
 
@@ -276,15 +317,6 @@ class Scratch {
   private:
     fs::path path_;
 };
-
-void check_error(const Input_error& error, const fs::path& file, std::size_t size) {
-    const std::string what = error.what();
-    require(error.file() == file.string() && what.starts_with(error.file()), "an error names the file");
-    require(!error.fault().empty() && !error.expected().empty(), "a fault, and what was expected");
-    require(std::none_of(what.begin(), what.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }),
-            "an error is one line");
-    require(error.line() <= size + 1, "a line that is there");
-}
 
 }  // namespace
 

@@ -191,7 +191,7 @@ TEST_CASE("long lines and many empty ones", "[io][motion][deep]") {
 
 TEMPLATE_TEST_CASE_SIG("frames that are written are read back, bit for bit", "[io][motion]", ((int d), d), 2, 3) {
     const Temporary_directory directory;
-    for (const Format format : frame_formats)
+    for (const Format format : written_formats)
         for (const Motion_family family : {Motion_family::walk, Motion_family::shear, Motion_family::orbit}) {
             Generated_motion<d> motion(generate<d>(Point_family::clusters, 50, 3), family, 0.1, 3);
             std::vector<std::vector<Coordinates<d>>> expected;
@@ -200,8 +200,9 @@ TEMPLATE_TEST_CASE_SIG("frames that are written are read back, bit for bit", "[i
                 expected.emplace_back(motion.points().begin(), motion.points().end());
                 append_frame<d>(text, format, i, motion.points());
             }
-            const Recorded_motion read =
-                read_motion(directory.file("a", text), {.format = std::string(name_of(format))});
+            Motion_options options;
+            options.format = name_of(format);
+            const Recorded_motion read = read_motion(directory.file("a", text), options);
             CHECK(read.has_z == (d == 3));
             CHECK(read.notes.empty());
             REQUIRE(read.frames.size() == 4);

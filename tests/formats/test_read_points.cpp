@@ -141,7 +141,7 @@ TEST_CASE("what gzip packed is read in every format, damaged or cut off it is re
     expect_fault(directory.file("a.xyz.gz", ""), 1, "is empty", read);
     expect_fault(directory.file("a.xyz.gz", gzip("")), 1, "is empty", read);
     expect_fault(directory.file("a.gz", gzip("1 2\n")), 0, "has no extension", read);
-    expect_fault(directory.file("a.txt.gz", gzip("1 2\n")), 0, "unknown extension '.txt'", read);
+    expect_fault(directory.file("a.pp.gz", gzip("1 2\n")), 0, "unknown extension '.pp'", read);
 }
 
 TEST_CASE("a small file that unpacks without end is refused before it fills the memory", "[deep]") {
@@ -200,7 +200,7 @@ TEST_CASE("files that are not there or say nothing are refused") {
     const auto read = [](const auto& file) { (void)read_points<2>(file); };
     expect_fault(directory.path() / "none.xyz", 0, "does not exist", read);
     expect_fault(directory.path(), 0, "is a directory", read);
-    expect_fault(directory.file("a.txt", "1 2\n"), 0, "unknown extension '.txt'", read);
+    expect_fault(directory.file("a.pp", "1 2\n"), 0, "unknown extension '.pp'", read);
     expect_fault(directory.file("a", "1 2\n"), 0, "has no extension", read);
     for (const char* name : {"a.xyz", "a.csv", "a.off", "a.ply", "a.mesh"})
         expect_fault(directory.file(name, ""), 1, "is empty", read);
@@ -236,7 +236,6 @@ TEST_CASE("lines with a wrong number of columns are refused") {
     refuse<2>("a.xyz", "1 2\n3 4 5\n", 2, "has 3 columns");
     refuse<2>("a.xyz", "1\n\nC 1\n", 3, "has 2 columns");
     refuse<2>("a.csv", "x,y\n1,2\n1\n", 3, "has 1 column");
-    refuse<2>("a.csv", "1 2\n", 1, "has 1 column");
     refuse<2>("a.csv", "7\n", 1, "has 1 column");
     refuse<2>("a.csv", "lon,lat\n1,2\n", 1, "no column x");
     refuse<2>("a.csv", "x,lat\n1,2\n", 1, "no column y");

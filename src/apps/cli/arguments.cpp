@@ -63,6 +63,13 @@ void add_format(CLI::App& app, std::string& format, std::span<const Format> form
         ->check(CLI::IsMember(names_of(formats)));
 }
 
+void add_columns(CLI::App& app, std::string& columns) {
+    app.add_option("--columns", columns,
+                   "Columns of a table, by name or number: id=particle,frame=t,x=POSITION_X,y=POSITION_Y; without it\n"
+                   "they are found by the names that tracking programs give them")
+        ->type_name("LIST");
+}
+
 void add_tracking(CLI::App& app, Tracking_arguments& a) {
     app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
         ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances",

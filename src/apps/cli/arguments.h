@@ -55,6 +55,8 @@ inline const std::string no_threads = "Accepted by all subcommands; one thread i
 void add_common(CLI::App& app, Common_arguments& arguments, const std::string& files, const Common_words& words = {});
 /// --format: the format of a file, whatever its extension says.
 void add_format(CLI::App& app, std::string& format, std::span<const Format> formats);
+/// --columns: the columns of a table.
+void add_columns(CLI::App& app, std::string& columns);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);
 
 /// Options of the library from those of the command line. Throws Error(usage).

@@ -5,13 +5,13 @@
 #include <apps/cli/input.h>
 #include <apps/cli/print_degeneracy.h>
 #include <apps/cli/progress.h>
+#include <apps/cli/raw_file.h>
 #include <apps/cli/replay_scene.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
-#include <apps/formats/decimal.h>
 #include <apps/formats/distinct.h>
 #include <apps/formats/read_points.h>
-#include <apps/formats/text_output.h>
+#include <apps/formats/write_csv.h>
 #include <apps/formats/write_json.h>
 #include <apps/report/degeneracy_series.h>
 
@@ -38,52 +38,13 @@ struct Degeneracy_call {
     bool ignore_z = false;
     std::string format;
     bool open = false;                   // a periodic box is ignored
+    std::string columns;                 // of a table
     std::optional<std::uint64_t> frame;  // the number of the frame to study, if the file is a motion
     std::uint64_t every = 0;             // study every N-th frame of a motion; 0: a point set, or `frame`
     std::vector<std::string> thresholds;
     std::string raw;
 
     [[nodiscard]] bool of_motion() const { return frame || every > 0; }
-};
-
-/// Writes one line per certificate, with the ids of its points.
-template <int d>
-class Raw_file {
-  public:
-    Raw_file(const std::string& file, std::span<const std::uint64_t> id) : out_(file), id_(id) {
-        text_ = "kind";
-        for (int i = 0; i < d + 2; ++i) text_ += ",point_" + std::to_string(i);
-        text_ += ",width_lower,width_upper,tolerance,stage\n";
-    }
-    void operator()(const Raw_certificate<d>& c) {
-        using Kind = typename Raw_certificate<d>::Kind;
-        text_ += c.kind == Kind::bicell ? "bicell" : c.kind == Kind::cell ? "cell" : "ridge";
-        for (const Index v : c.point) {
-            text_ += ',';
-            if (v != none) append_decimal(text_, id_[static_cast<std::size_t>(v)]);
-        }
-        for (const double x : {c.width_lower, c.width_upper, c.tolerance}) {
-            text_ += ',';
-            append_decimal(text_, x);
-        }
-        text_ += ',';
-        text_ += name_of(c.stage);
-        text_ += '\n';
-        if (text_.size() > 1 << 20) flush();
-    }
-    void commit() {
-        flush();
-        out_.commit();
-    }
-
-  private:
-    void flush() {
-        out_.write(text_);
-        text_.clear();
-    }
-    Text_output out_;
-    std::span<const std::uint64_t> id_;
-    std::string text_;
 };
 
 /// Each threshold as text, for example "1e-4", and as a number.
@@ -105,10 +66,10 @@ std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std:
     return thresholds;
 }
 
-/// Precondition: the points x are distinct. `id` has their ids.
+/// Precondition: the points x are distinct. `id` has their ids, which are written as `ids`.
 template <int d>
 Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const std::vector<Coordinates<d>>& x,
-                               std::span<const std::uint64_t> id) {
+                               std::span<const std::uint64_t> id, const Point_ids& ids) {
     Degeneracy_record r;
     r.file = std::move(file);
     r.dimension = d;
@@ -123,7 +84,7 @@ Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const
     mesh.list_cells(x, corners);
     r.simplices = corners.size() / (d + 1);
     std::optional<Raw_file<d>> raw;
-    if (!a.raw.empty()) raw.emplace(a.raw, id);
+    if (!a.raw.empty()) raw.emplace(a.raw, id, ids);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
         options.threads = a.common.threads;
@@ -143,7 +104,7 @@ Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
     const auto first = first_at_place<d>(file.points);
     for (std::size_t i = 0; i < first.size(); ++i)
         if (first[i] == i) place.push_back(i);
-    Degeneracy_record r = study_points<d>(a, file.name, x, place);
+    Degeneracy_record r = study_points<d>(a, file.name, x, place, {});
     r.points = file.points.size();
     r.input = input_of(file);
     return r;
@@ -151,7 +112,7 @@ Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
 
 template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Motion_reader& reader, const Frame_points<d>& frame) {
-    Degeneracy_record r = study_points<d>(a, reader.name(), frame.x, frame.id);
+    Degeneracy_record r = study_points<d>(a, reader.name(), frame.x, frame.id, reader.ids());
     r.points = frame.x.size() + frame.merged;
     r.input = input_of(reader, d);
     return r;
@@ -219,7 +180,7 @@ void study_frame(const Degeneracy_call& a, const std::string& command, Replayed_
 }
 
 void run_motion(const Degeneracy_call& a, const std::string& command) {
-    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format, a.open};
+    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format, a.open, a.columns};
     Opened_motion motion = open_motion(replay);
     const auto with = [&]<int d>(std::integral_constant<int, d>) {
         Replayed_frames<d> frames(motion, replay);
@@ -240,7 +201,10 @@ int run(const Degeneracy_call& a, const std::string& command) {
     if (a.of_motion()) {
         run_motion(a, command);
     } else {
-        const Read_options options{.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}};
+        const Read_options options{.ignore_z = a.ignore_z,
+                                   .format = a.format,
+                                   .box = {.ignored = a.open},
+                                   .columns = parse_column_choice(a.columns)};
         std::variant<Point_file<2>, Point_file<3>> file;
         if (a.dimension == 2) file = read_points<2>(a.file, options);
         else if (a.dimension == 3) file = read_points<3>(a.file, options);
@@ -257,11 +221,13 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
         "degeneracy", "How degenerate points are: certified counts and distributions of their Delaunay triangulation");
     const auto a = std::make_shared<Degeneracy_call>();
-    sub->add_option("FILE", a->file,
-                    "Points, .xyz, .csv, .lammpstrj, .off, .ply or .mesh, or a motion with --frame or --every; - is "
-                    "standard input")
+    sub->add_option(
+           "FILE", a->file,
+           "Points, .xyz, .csv, .lammpstrj, .npy, .off, .ply or .mesh, or a motion with --frame or --every; - is "
+           "standard input")
         ->required();
     add_format(*sub, a->format, point_formats);
+    add_columns(*sub, a->columns);
     auto* dimension = sub->add_option("--dim", a->dimension, "2 or 3; default: that of the file")
                           ->type_name("D")
                           ->check(whole_number(2, 3));

@@ -4,6 +4,7 @@
 #include <annulus/error.h>
 #include <annulus/voronoi.h>
 #include <apps/formats/decimal.h>
+#include <apps/formats/write_csv.h>
 #include <apps/formats/write_vtu.h>
 
 #include <algorithm>
@@ -107,6 +108,12 @@ void Frame_files<Moving>::name(Index v, std::uint64_t id) {
 }
 
 template <class Moving>
+void Frame_files<Moving>::append_id(std::string& text, std::uint64_t id) const {
+    if (ids_ == nullptr) append_decimal(text, id);
+    else append_csv_text(text, ids_->text(id));
+}
+
+template <class Moving>
 void Frame_files<Moving>::hear(const Move_report& report, Index arrived) {
     if (arrived != none && !arriving_.empty()) {
         name(arrived, arriving_.front());
@@ -127,7 +134,7 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d
     std::string text;
     for (const std::size_t i : vertices) {
         text += frame;
-        append_decimal(text, id_[i]);
+        append_id(text, id_[i]);
         text += ',';
         if (std::isfinite(volume_[i])) append_decimal(text, volume_[i]);
         text += ',';
@@ -146,9 +153,9 @@ void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& reco
     for (const Neighbour_change& c : pairs_.take()) {
         ++(c.made ? pairs.made : pairs.broken);
         text += frame;
-        append_decimal(text, c.first);
+        append_id(text, c.first);
         text += ',';
-        append_decimal(text, c.second);
+        append_id(text, c.second);
         text += c.made ? ",made\n" : ",broken\n";
     }
     changes_->write(text);
@@ -177,7 +184,10 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& c
         for (Index& v : cell) v = place[static_cast<std::size_t>(v)];
         solid.push_back(cell);
     }
-    std::vector<Vtu_field> fields{{"id", std::move(ids)}};
+    std::vector<Vtu_field> fields;
+    if (ids_ != nullptr && ids_->have_signs())
+        fields.push_back({"id", std::vector<std::int64_t>(ids.begin(), ids.end())});
+    else fields.push_back({"id", std::move(ids)});
     if (frames_.voronoi) {
         fields.push_back({std::string("voronoi_") + volume_name<d>, std::move(volume)});
         fields.push_back({"neighbours", std::move(neighbours)});
@@ -204,6 +214,15 @@ void Frame_files<Moving>::write(Result_files& out) {
     if (voronoi_) voronoi_->commit();
     if (changes_) changes_->commit();
     if (frames_.every > 0) scratch_->write("frames.pvd", write_pvd(series_));
+    if (frames_.every > 0 && ids_ != nullptr && ids_->are_words()) {
+        std::string text = "number,id\n";
+        for (std::size_t i = 0; i < ids_->words().size(); ++i) {
+            text += std::to_string(i) + ",";
+            append_csv_text(text, ids_->words()[i]);
+            text += '\n';
+        }
+        scratch_->write("ids.csv", text);
+    }
     out.take(*scratch_);
 }
 

@@ -5,6 +5,7 @@
 #include <apps/cli/arguments.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/tracker.h>
+#include <apps/formats/point_ids.h>
 #include <apps/formats/text_output.h>
 #include <apps/formats/write_pvd.h>
 #include <apps/report/frame_record.h>
@@ -29,9 +30,10 @@ void add_frames(CLI::App& app, Frame_arguments& arguments);
 /// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
-/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv. They are written
-/// during the run, next to the directory of --output, and moved there at its end. Memory does not depend on the number
-/// of frames, except for the data of the curves on the page.
+/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv; ids.csv where
+/// the frames have numbers for ids that are words. They are written during the run, next to the directory of --output,
+/// and moved there at its end. Memory does not depend on the number of frames, except for the data of the curves on the
+/// page.
 template <class Moving>
 class Frame_files {
   public:
@@ -44,6 +46,8 @@ class Frame_files {
     Frame_files& operator=(const Frame_files&) = delete;
 
     void name(Index v, std::uint64_t id);
+    /// From now on ids are written as these are; they must exist as long as this object.
+    void write_ids_as(const Point_ids& ids) { ids_ = &ids; }
     /// The ids of the points that the next step inserts, in the order of insertion.
     void arriving(const std::vector<std::uint64_t>& ids) { arriving_.assign(ids.begin(), ids.end()); }
     /// To be called for each complete frame: before the first step, and after each step.
@@ -55,6 +59,7 @@ class Frame_files {
 
   private:
     void hear(const Move_report& report, Index arrived);
+    void append_id(std::string& text, std::uint64_t id) const;
     void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
     void write_changes(std::uint64_t number, Frame_record& record);
     void write_vtu(std::uint64_t number, const Mesh_cells<d>& cells);
@@ -65,6 +70,7 @@ class Frame_files {
     std::unique_ptr<Result_files> scratch_;
     std::unique_ptr<Text_output> voronoi_, changes_;
     std::vector<std::uint64_t> id_;
+    const Point_ids* ids_ = nullptr;  ///< null: they are numbers
     std::deque<std::uint64_t> arriving_;
     Neighbour_changes<d> pairs_;
     std::vector<Frame_record> records_;

@@ -71,7 +71,11 @@ int write_motion(const Generate_call& a, Format format) {
 Format format_of_output(const Generate_call& a) {
     if (a.output == "-" && a.format.empty()) return Format::xyz;
     try {
-        return format_of(a.output, frame_formats, a.format);
+        const Format format = format_of(a.output, written_formats, a.format);
+        if (format == Format::csv && a.format.empty() && !has_usual_extension_of(a.output, format))
+            throw Error(Error_code::usage,
+                        a.output + ": a table that is written is called .csv; --format csv writes it");
+        return format;
     } catch (const Input_error& error) {  // the file is not an input here
         throw Error(Error_code::usage, error.what());
     }
@@ -118,7 +122,7 @@ Run add_generate_command(CLI::App& app, const Invocation&) {
     sub->add_option("-o,--output", a->output, "Write to this file; .gz compresses it; -: standard output")
         ->type_name("FILE")
         ->capture_default_str();
-    add_format(*sub, a->format, frame_formats);
+    add_format(*sub, a->format, written_formats);
     sub->get_option("--format")
         ->description("What to write, whatever the extension says; standard output has none: xyz without this");
     sub->add_flag("--force", a->force, "Replace the file");

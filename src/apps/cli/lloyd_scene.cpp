@@ -25,7 +25,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     auto* input =
         app.add_option(
                "--input", a.input,
-               "Start from the points of a .xyz, .csv, .lammpstrj, .off, .ply or .mesh file; - is standard input")
+               "Start from the points of a .xyz, .csv, .lammpstrj, .npy, .off, .ply or .mesh file; - is standard input")
             ->type_name("FILE");
     points->excludes(input);
     add_format(app, a.format, point_formats);

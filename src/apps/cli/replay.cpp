@@ -56,6 +56,7 @@ class Replay {
         : frames_(frames), films_(!a.common.output.empty()), tracker_(first_frame(a, options)), page_{.step = "step"} {
         if (!films_) tracker_.forget_steps();
         else files_.emplace(a.common, a.frames, tracker_);
+        if (files_) files_->write_ids_as(frames.reader().ids());
         present_ = {std::move(frame_.id), std::vector<Index>(frame_.x.size())};
         std::iota(present_.index.begin(), present_.index.end(), Index{0});
         for (std::size_t k = 0; files_ && k < present_.id.size(); ++k) files_->name(present_.index[k], present_.id[k]);

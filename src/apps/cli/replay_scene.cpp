@@ -15,15 +15,19 @@ Motion_options Replay_arguments::motion() const {
             : absent == "skip" ? Absent_frames::skip
                                : Absent_frames::refuse,
             format,
-            {.ignored = open}};
+            {.ignored = open},
+            parse_column_choice(columns)};
 }
 
 void add_replay(CLI::App& app, Replay_arguments& a) {
-    app.add_option("FILE", a.file,
-                   "Frames: .xyz (extended XYZ), .lammpstrj (LAMMPS dump) or .csv with columns frame, id, x, y [, z];\n"
-                   "each may be compressed, .gz; - is standard input")
+    app.add_option(
+           "FILE", a.file,
+           "Frames: .xyz (extended XYZ), .lammpstrj (LAMMPS dump), .csv, .tsv, .txt or .dat (a table with columns\n"
+           "frame, id, x, y [, z], or those of a tracking program) or .npy; each may be compressed, .gz; - is\n"
+           "standard input")
         ->required();
     add_format(app, a.format, frame_formats);
+    add_columns(app, a.columns);
     app.add_option("--dim", a.dimension, "Dimension; 2 drops z. Without it, 3 if z is not the same everywhere")
         ->check(whole_number(2, 3));
     app.add_option("--coincident", a.coincident,
@@ -31,7 +35,7 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
         ->check(CLI::IsMember({"refuse", "merge"}))
         ->capture_default_str();
     app.add_option("--absent-frames", a.absent,
-                   "Gaps in the frame numbers of a .csv file: refuse them, empty: all points disappear for one step\n"
+                   "Gaps in the frame numbers of a table: refuse them, empty: all points disappear for one step\n"
                    "and appear again, or skip: one step spans the gap")
         ->check(CLI::IsMember({"refuse", "empty", "skip"}))
         ->capture_default_str();
@@ -81,7 +85,7 @@ Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_argument
       frame_(std::move(motion.first)),
       empty_(motion.empty.begin(), motion.empty.end()),
       coincident_(arguments.on_coincident()),
-      first_(points_of<d>(reader_.name(), frame_, coincident_)),
+      first_(points_of<d>(reader_.name(), frame_, coincident_, reader_.ids())),
       spacing_(spacing_of<d>(first_->x)) {
     if (d == 2 && arguments.dimension == 0 && reader_.has_z()) z_ = frame_.position.front()[2];
     require_flat();
@@ -112,7 +116,7 @@ bool Replayed_frames<d>::next(Frame_points<d>& frame) {
     } else {
         if (!reader_.next(frame_)) return false;
         require_flat();
-        frame = points_of<d>(reader_.name(), frame_, coincident_);
+        frame = points_of<d>(reader_.name(), frame_, coincident_, reader_.ids());
     }
     return true;
 }

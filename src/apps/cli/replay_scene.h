@@ -19,8 +19,9 @@ struct Replay_arguments {
     int dimension = 0;  ///< 0: that of the file
     std::string coincident = "refuse";
     std::string absent = "refuse";
-    std::string format;  ///< if not that of the extension
-    bool open = false;   ///< ignore a periodic box
+    std::string format;     ///< if not that of the extension
+    bool open = false;      ///< ignore a periodic box
+    std::string columns{};  ///< of a table: "id=particle,frame=t"
 
     [[nodiscard]] Coincident on_coincident() const {
         return coincident == "merge" ? Coincident::merge : Coincident::refuse;

@@ -24,6 +24,11 @@ std::string_view unquoted(std::string_view text) {
 }  // namespace
 
 bool split_csv(std::string_view line, char separator, std::vector<std::string_view>& fields) {
+    if (separator == ' ') {
+        split_at_blanks(line, fields);
+        for (std::string_view& field : fields) field = unquoted(field);
+        return true;
+    }
     fields.clear();
     std::size_t begin = 0;
     bool in_quotes = false, quoted = false, blank = true;  // of the field so far
@@ -46,7 +51,20 @@ bool split_csv(std::string_view line, char separator, std::vector<std::string_vi
 char csv_separator(std::string_view line) {
     // The rarest in ordinary text first: a tab or semicolon in the first line is never accidental.
     if (line.find('\t') != std::string_view::npos) return '\t';
-    return line.find(';') != std::string_view::npos ? ';' : ',';
+    for (const char separator : {';', ','})
+        if (line.find(separator) != std::string_view::npos) return separator;
+    return csv_trimmed(line).find(' ') != std::string_view::npos ? ' ' : ',';
+}
+
+bool equals_lower(std::string_view text, std::string_view lower) {
+    return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
+                      [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
+bool is_missing(std::string_view field) {
+    for (const std::string_view word : {"", "nan", "-nan", "na", "n/a", "null", "none", "-"})
+        if (equals_lower(field, word)) return true;
+    return false;
 }
 
 bool is_csv_header(const std::vector<std::string_view>& fields) {

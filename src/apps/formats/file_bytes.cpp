@@ -70,6 +70,10 @@ std::optional<std::uint64_t> File_bytes::size() const {
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+std::unique_ptr<File_bytes> File_bytes::again() const {
+    return size() && !standard_input_ ? std::make_unique<File_bytes>(name_) : nullptr;
+}
+
 void File_bytes::fail(std::string fault, std::string expected) const {
     throw Input_error(Error_code::bad_input, name_, 0, std::move(fault), std::move(expected));
 }

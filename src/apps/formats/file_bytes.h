@@ -27,8 +27,8 @@ class File_bytes {
     File_bytes(const File_bytes&) = delete;
     File_bytes& operator=(const File_bytes&) = delete;
 
-    /// A kind that is not refused: text in UTF-16 is handed out as text in UTF-8. To be called before the first bytes
-    /// are requested.
+    /// A kind that is not refused: arrays of NumPy are handed out as they are, text in UTF-16 as text in UTF-8. To be
+    /// called before the first bytes are requested.
     void accept(Foreign kind) noexcept { accepted_ = kind; }
 
     /// Appends the next bytes to `content`, 96 KiB at most; false at the end. Throws Input_error when the file cannot
@@ -43,6 +43,8 @@ class File_bytes {
     [[nodiscard]] std::uint64_t taken() const noexcept { return taken_; }
     /// The size of the file; none where it is not a regular file.
     [[nodiscard]] std::optional<std::uint64_t> size() const;
+    /// The same file from its beginning; null where it is not a regular file and can be read only once.
+    [[nodiscard]] std::unique_ptr<File_bytes> again() const;
 
   private:
     struct Inflater;

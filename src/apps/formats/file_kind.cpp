@@ -34,7 +34,7 @@ constexpr std::array marks{
     Mark{"PK\x03\x04"sv, {"is a zip archive (spreadsheets and .npz are, too)", unpacked}},
     Mark{"7z\xbc\xaf\x27\x1c"sv, {"is a 7z archive", unpacked}},
     Mark{"Rar!\x1a\x07"sv, {"is a rar archive", unpacked}},
-    Mark{"\x93NUMPY"sv, {"is an array of NumPy", table}},
+    Mark{"\x93NUMPY"sv, {"is an array of NumPy", "points as text, or the name .npy", Foreign::numpy}},
     Mark{"\x89HDF\r\n\x1a\n"sv, {"is an HDF5 file", table}},
     Mark{"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv, {"is a document of an old office program", table}},
     Mark{"%PDF-"sv, {"is a PDF file", table}},

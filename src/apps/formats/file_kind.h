@@ -12,8 +12,8 @@ inline constexpr std::size_t telling_bytes = 8;
 /// Whether a gzip file begins like this.
 [[nodiscard]] bool begins_as_gzip(std::string_view bytes) noexcept;
 
-/// What only some readers accept: text in UTF-16. `other` is accepted by none.
-enum class Foreign { other, utf16 };
+/// What only some readers accept: text in UTF-16, arrays of NumPy. `other` is accepted by none.
+enum class Foreign { other, utf16, numpy };
 
 /// The kind of a file that is not text in ASCII or UTF-8, and what to supply instead.
 struct Foreign_kind {

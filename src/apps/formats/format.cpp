@@ -12,13 +12,14 @@ namespace {
 struct Names {
     Format format;
     std::string_view name;
-    std::array<std::string_view, 3> extensions;  ///< the first is the usual one
+    std::array<std::string_view, 4> extensions;  ///< the first is the usual one
 };
 
 constexpr std::array all_names{
     Names{Format::xyz, "xyz", {".xyz", ".extxyz"}},
-    Names{Format::csv, "csv", {".csv"}},
+    Names{Format::csv, "csv", {".csv", ".tsv", ".txt", ".dat"}},
     Names{Format::lammps, "lammps", {".lammpstrj", ".dump", ".lammpsdump"}},
+    Names{Format::npy, "npy", {".npy"}},
     Names{Format::off, "off", {".off"}},
     Names{Format::obj, "obj", {".obj"}},
     Names{Format::ply, "ply", {".ply"}},
@@ -87,6 +88,10 @@ Format format_of(const std::filesystem::path& file, std::span<const Format> acce
 
 bool has_extension_of(const std::filesystem::path& file, Format format) {
     return is_one_of(names(format), format_extension(file));
+}
+
+bool has_usual_extension_of(const std::filesystem::path& file, Format format) {
+    return format_extension(file) == names(format).extensions[0];
 }
 
 bool is_packed(const std::filesystem::path& file) { return lower_extension(file) == ".gz"; }

@@ -11,11 +11,12 @@
 namespace annulus::inline v1 {
 
 /// The format of a file.
-enum class Format { xyz, csv, lammps, off, obj, ply, stl, mesh, inr, pgm, png };
+enum class Format { xyz, csv, lammps, npy, off, obj, ply, stl, mesh, inr, pgm, png };
 
-/// Formats of files with frames, and of files with points.
-inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps};
-inline constexpr std::array point_formats{Format::xyz, Format::csv, Format::lammps,
+/// Formats of files with frames, those of them that are written, and formats of files with points.
+inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps, Format::npy};
+inline constexpr std::array written_formats{Format::xyz, Format::csv, Format::lammps};
+inline constexpr std::array point_formats{Format::xyz, Format::csv, Format::lammps, Format::npy,
                                           Format::off, Format::ply, Format::mesh};
 inline constexpr std::array surface_formats{Format::off, Format::obj, Format::ply, Format::stl};
 inline constexpr std::array picture_formats{Format::png, Format::pgm};
@@ -32,6 +33,9 @@ inline constexpr std::array picture_formats{Format::png, Format::pgm};
 
 /// Whether the file's extension names this format.
 [[nodiscard]] bool has_extension_of(const std::filesystem::path& file, Format format);
+
+/// Whether the file's extension is the usual one of this format: .csv, and not .txt.
+[[nodiscard]] bool has_usual_extension_of(const std::filesystem::path& file, Format format);
 
 /// Whether the file's name ends in .gz, in either case.
 [[nodiscard]] bool is_packed(const std::filesystem::path& file);

@@ -9,7 +9,7 @@
 namespace annulus::inline v1 {
 
 template <int d>
-Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident) {
+Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident, const Point_ids& ids) {
     const auto fail = [&](Error_code code, std::size_t i, std::string what, std::string expected) {
         throw Input_error(code, name, frame.line[i], std::move(what), std::move(expected));
     };
@@ -28,8 +28,8 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
         if (first[i] != i) {
             if (coincident == Coincident::refuse)
                 fail(Error_code::duplicate_point, i,
-                     "in frame " + std::to_string(frame.number) + " the point of id " + std::to_string(frame.id[i]) +
-                         " is where that of id " + std::to_string(frame.id[first[i]]) + " is (line " +
+                     "in frame " + std::to_string(frame.number) + " the point of id " + ids.text(frame.id[i]) +
+                         " is where that of id " + ids.text(frame.id[first[i]]) + " is (line " +
                          std::to_string(frame.line[first[i]]) + ")",
                      "points that differ, or --coincident merge");
             ++result.merged;
@@ -42,7 +42,7 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
     return result;
 }
 
-template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
-template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
+template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident, const Point_ids&);
+template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident, const Point_ids&);
 
 }  // namespace annulus::inline v1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <apps/formats/point_ids.h>
 #include <apps/motion/recorded_motion.h>
 
 #include <cstdint>
@@ -24,11 +25,18 @@ struct Frame_points {
     std::uint64_t merged = 0;  ///< points that were dropped in favour of another one
 };
 
-/// Drops z in two dimensions. Throws Input_error with the name of the file. O(n log n).
+/// Drops z in two dimensions. Throws Input_error with the name of the file, and with ids as they are in the file.
+/// O(n log n).
 template <int d>
-[[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident);
+[[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident,
+                                        const Point_ids& ids);
+/// The same for ids that are integers of 0 or more.
+template <int d>
+[[nodiscard]] Frame_points<d> points_of(const std::string& name, const Frame& frame, Coincident coincident) {
+    return points_of<d>(name, frame, coincident, Point_ids());
+}
 
-extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident);
-extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident);
+extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident, const Point_ids&);
+extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident, const Point_ids&);
 
 }  // namespace annulus::inline v1

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/csv_frames.h>
 #include <apps/formats/frame_readers.h>
+#include <apps/formats/npy_frames.h>
 
 #include <utility>
 
@@ -45,25 +47,27 @@ void Frame_reader::note(std::uint64_t line, const std::string& text) {
 }
 
 void Frame_reader::meet_box(const std::string& what) {
-    if (!box_.ignored)
+    if (!options_.box.ignored)
         reader_.fail(what + ": a periodic box, and these are not supported",
-                     std::string(box_.how) + ", by which points are taken as they stand, with open boundaries");
+                     std::string(options_.box.how) + ", by which points are taken as they stand, with open boundaries");
     if (std::exchange(ignored_box_, true)) return;
     note(reader_.number(),
          what + " ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries");
 }
 
-std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
-                                        const Periodic_box& box) {
+std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, const Frame_options& options) {
+    require_table(format, options.columns);
     switch (format) {
-        case Format::csv: return std::make_unique<Csv_frames>(bytes, wanted, box);
-        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, wanted, box);
-        default: return std::make_unique<Xyz_frames>(bytes, wanted, box);
+        case Format::csv: return std::make_unique<Csv_frames>(bytes, options);
+        case Format::lammps: return std::make_unique<Lammps_frames>(bytes, options);
+        case Format::npy: return std::make_unique<Npy_frames>(bytes, options);
+        default: return std::make_unique<Xyz_frames>(bytes, options);
     }
 }
 
-Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box) {
-    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Frame_contents::points, box);
+Raw_points read_only_frame(File_bytes& bytes, Format format, Frame_options options) {
+    options.wanted = Frame_contents::points;
+    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, options);
     Raw_frame frame;
     if (frames->next(frame)) frames->require_last(frame);
     frame.points.columns = frames->columns();

@@ -4,6 +4,8 @@
 #include <apps/formats/format.h>
 #include <apps/formats/periodic_box.h>
 #include <apps/formats/point_formats.h>
+#include <apps/formats/point_ids.h>
+#include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
 #include <apps/formats/xyz_guess.h>
 
@@ -32,6 +34,13 @@ struct Raw_frame {
 /// The content that a reader of frames returns: points of one time step, or a motion, where points have ids.
 enum class Frame_contents { points, motion };
 
+struct Frame_options {
+    Frame_contents wanted = Frame_contents::motion;
+    Periodic_box box{};
+    Column_choice columns{};  ///< of a table
+    bool in_order = true;  ///< frames ascend; else rows of a table are taken as they come, and a frame may come twice
+};
+
 /// Frames of a file, one after the other, read on demand. The bytes must outlive the reader.
 class Frame_reader {
   public:
@@ -52,12 +61,15 @@ class Frame_reader {
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
     /// Whether a periodic box was ignored.
     [[nodiscard]] bool ignored_box() const noexcept { return ignored_box_; }
+    /// How the ids of the frames read so far are written.
+    [[nodiscard]] const Point_ids& ids() const noexcept { return ids_; }
+    /// The least difference of the numbers of successive frames, if it was known before they are read.
+    [[nodiscard]] virtual std::optional<std::uint64_t> least_distance() const { return std::nullopt; }
 
   protected:
-    Frame_reader(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box)
-        : reader_(bytes), wanted_(wanted), box_(box) {}
+    Frame_reader(File_bytes& bytes, const Frame_options& options) : reader_(bytes), options_(options) {}
 
-    [[nodiscard]] bool wants_ids() const noexcept { return wanted_ == Frame_contents::motion; }
+    [[nodiscard]] bool wants_ids() const noexcept { return options_.wanted == Frame_contents::motion; }
     /// Reserves memory for as many points as the file announces.
     void make_room(Raw_frame& frame, std::uint64_t count, std::uint64_t bytes_a_point) const;
 
@@ -71,6 +83,8 @@ class Frame_reader {
     }
 
     Line_reader reader_;
+    Frame_options options_;
+    Point_ids ids_;
 
   private:
     /// Advances to the first line of the next frame; false at the end.
@@ -80,8 +94,6 @@ class Frame_reader {
     /// The fault and the expectation where there is more than one frame.
     [[noreturn]] virtual void refuse_more(const Raw_frame& frame) const = 0;
 
-    Frame_contents wanted_;
-    Periodic_box box_;
     bool ignored_box_ = false;
     Taken_columns columns_;
     std::vector<std::string> notes_;
@@ -93,7 +105,7 @@ class Frame_reader {
 /// `x y [z]` alone.
 class Xyz_frames : public Frame_reader {
   public:
-    Xyz_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
+    Xyz_frames(File_bytes& bytes, const Frame_options& options) : Frame_reader(bytes, options) {}
 
   private:
     bool seek() override { return reader_.next_record(); }
@@ -112,39 +124,6 @@ class Xyz_frames : public Frame_reader {
     std::uint64_t next_number_ = 0;
 };
 
-/// CSV: a header that names the columns frame, id, x, y and perhaps z, in either case and any order, and rows whose
-/// frame does not decrease. In a file of points frame and id may be missing; without a header the columns are x, y and
-/// z, and no others are allowed. Lines that begin with # are comments before the first row, and rows after it; the
-/// header may be such a comment, as NumPy writes it.
-class Csv_frames : public Frame_reader {
-  public:
-    Csv_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box) : Frame_reader(bytes, wanted, box) {}
-
-  private:
-    enum Column { frame_column, id_column, x_column, y_column, z_column };
-    struct Header {
-        std::array<std::optional<std::size_t>, 5> at;  ///< by Column
-        std::size_t all = 0;                           ///< columns
-        char separator = ',';
-        Taken_columns taken{};
-    };
-
-    bool seek() override;
-    void read(Raw_frame& frame) override;
-    void refuse_more(const Raw_frame& frame) const override;
-    void begin();
-    void split(std::string_view text);
-    bool next_row();
-    [[nodiscard]] Header header() const;
-
-    std::vector<std::string_view> fields_;  ///< of the next row
-    bool begun_ = false;
-    bool row_is_due_ = false;
-    bool has_header_ = false;
-    char separator_ = ',';
-    Header columns_;
-};
-
 /// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and
 /// TIME are skipped. Positions are x y z, or xu yu zu unless all three of these are there, then xs ys zs or xsu ysu
 /// zsu, which are converted in doubles; a frame is 2D where no column is a z. All frames must have the same kind of
@@ -152,8 +131,7 @@ class Csv_frames : public Frame_reader {
 /// say how its sides are.
 class Lammps_frames : public Frame_reader {
   public:
-    Lammps_frames(File_bytes& bytes, Frame_contents wanted, const Periodic_box& box)
-        : Frame_reader(bytes, wanted, box) {}
+    Lammps_frames(File_bytes& bytes, const Frame_options& options) : Frame_reader(bytes, options) {}
 
   private:
     /// The box: a corner, and one edge vector for each direction.
@@ -184,11 +162,10 @@ class Lammps_frames : public Frame_reader {
     std::optional<std::string_view> kind_;  ///< of the columns of earlier frames
 };
 
-/// The reader of one of frame_formats.
-[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, Frame_contents wanted,
-                                                      const Periodic_box& box);
+/// The reader of one of frame_formats. Throws Error(usage) for a choice of columns where the format is no table.
+[[nodiscard]] std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, const Frame_options& options);
 
 /// The points of a file with one frame; no points for a file without frames.
-[[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format, const Periodic_box& box);
+[[nodiscard]] Raw_points read_only_frame(File_bytes& bytes, Format format, Frame_options options);
 
 }  // namespace annulus::inline v1

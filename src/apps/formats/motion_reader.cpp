@@ -3,35 +3,16 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace annulus::inline v1 {
 
-namespace {
-
-/// The least difference between numbers of successive frames; none where there are fewer than two.
-std::optional<std::uint64_t> least_distance(const std::filesystem::path& file, Format format) {
-    File_bytes bytes(file);
-    const std::unique_ptr<Frame_reader> frames = frames_of(bytes, format, Frame_contents::motion, {.ignored = true});
-    std::optional<std::uint64_t> least, last;
-    Raw_frame raw;
-    while (frames->next(raw)) {
-        if (last) least = std::min(least.value_or(std::numeric_limits<std::uint64_t>::max()), raw.number - *last);
-        last = raw.number;
-    }
-    return least;
-}
-
-}  // namespace
-
 Motion_reader::Motion_reader(const std::filesystem::path& file, const Motion_options& options)
     : bytes_(std::make_unique<File_bytes>(file)), absent_(options.absent) {
     const Format format = format_of(file, frame_formats, options.format);
     if (format != Format::csv) absent_ = Absent_frames::skip;  // these formats have frames without points
-    if (absent_ == Absent_frames::empty && bytes_->size()) stride_ = least_distance(file, format);
-    frames_ = frames_of(*bytes_, format, Frame_contents::motion, options.box);
+    frames_ = frames_of(*bytes_, format, {.box = options.box, .columns = options.columns});
 }
 
 void Motion_reader::fail(std::uint64_t line, std::string fault, std::string expected) const {
@@ -70,7 +51,7 @@ void Motion_reader::sort_by_id(Frame& frame) {
     for (const std::size_t i : order) {
         if (!frame.id.empty() && frame.id.back() == raw_.id[i])
             fail(raw_.points.lines[i],
-                 "has the id " + std::to_string(raw_.id[i]) + " of line " + std::to_string(frame.line.back()) +
+                 "has the id " + ids().text(raw_.id[i]) + " of line " + std::to_string(frame.line.back()) +
                      ", in the same frame",
                  "ids that differ");
         frame.id.push_back(raw_.id[i]);
@@ -83,7 +64,7 @@ void Motion_reader::sort_by_id(Frame& frame) {
 bool Motion_reader::fills_gap(Frame& frame) {
     if (absent_ == Absent_frames::skip || !last_) return false;
     const std::uint64_t distance = raw_.number - *last_;
-    if (!stride_) stride_ = distance;
+    if (!stride_) stride_ = absent_ == Absent_frames::empty ? frames_->least_distance().value_or(distance) : distance;
     if (distance == *stride_) return false;
     if (absent_ == Absent_frames::refuse || distance < *stride_)
         fail(raw_.line,
@@ -126,8 +107,8 @@ std::optional<double> Motion_reader::share_read() const {
 
 bool is_flat(const std::filesystem::path& file, const Motion_options& options) {
     File_bytes bytes(file);
-    const auto frames =
-        frames_of(bytes, format_of(file, frame_formats, options.format), Frame_contents::motion, {.ignored = true});
+    const auto frames = frames_of(bytes, format_of(file, frame_formats, options.format),
+                                  {.box = {.ignored = true}, .columns = options.columns, .in_order = false});
     std::optional<double> z;
     Raw_frame raw;
     while (frames->next(raw)) {

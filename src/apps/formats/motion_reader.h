@@ -23,27 +23,29 @@ enum class Absent_frames {
 
 struct Motion_options {
     Absent_frames absent = Absent_frames::refuse;
-    /// "xyz", "csv", "lammps": the format of the file in place of that of its extension; standard input has none.
+    /// "xyz", "csv", "lammps", "npy": the format of the file in place of that of its extension; standard input has
+    /// none.
     std::string format{};
     Periodic_box box{};
+    Column_choice columns{};  ///< which columns of a table are taken; the others are found by their names
 };
 
 /// A recorded motion, a frame at a time, by the extension of the file (format.h); `-` is standard input. No more than
-/// one frame is held in memory.
+/// one frame is held in memory, but for tables whose rows are not in the order of frames.
 ///
 /// `.xyz`: frames one after the other, see Xyz_frames; `.lammpstrj`: see Lammps_frames. A point's id is its `id` in
-/// Properties or ATOMS, in all frames or none; else its place in the frame, from 0. `.csv`: see Csv_frames; frame
-/// numbers have the distance of the first two, or `absent` decides. Points appear and disappear by their id; frames may
-/// have no points.
+/// Properties or ATOMS, in all frames or none; else its place in the frame, from 0. `.npy`: see Npy_frames. `.csv` and
+/// other tables: see Csv_frames; frame numbers have the distance of the first two, or `absent` decides. Points appear
+/// and disappear by their id; frames may have no points.
 ///
 /// A reader throws Input_error for every fault of the file when it reaches it. Faults include a file without points,
 /// two points with the same id in a frame, and a periodic box unless it is to be ignored.
 class Motion_reader {
   public:
-    /// Throws Input_error where the file cannot be opened, Error(usage) for an unknown format. With
-    /// Absent_frames::empty the distance of frames is the least one of the file, for which a CSV file is read twice;
-    /// for standard input, which cannot be read twice, it is that of the first two frames, and frames that are closer
-    /// are refused.
+    /// Throws Input_error where the file cannot be opened, Error(usage) for an unknown format, and for a choice of
+    /// columns where the format is no table. With Absent_frames::empty the distance of frames is the least one of the
+    /// file; for standard input, which cannot be read twice, it is that of the first two frames, and frames that are
+    /// closer are refused.
     explicit Motion_reader(const std::filesystem::path& file, const Motion_options& options = {});
 
     /// The next frame, its points by id; false at the end. Linear but for sorting ids that do not ascend.
@@ -58,6 +60,8 @@ class Motion_reader {
     [[nodiscard]] const std::vector<std::string>& notes() const { return frames_->notes(); }
     /// Which columns were taken, decided by the first frame with points.
     [[nodiscard]] const Taken_columns& columns() const { return frames_->columns(); }
+    /// How ids are written in the file, as far as it has been read.
+    [[nodiscard]] const Point_ids& ids() const { return frames_->ids(); }
     /// Whether a periodic box was ignored so far.
     [[nodiscard]] bool ignored_box() const { return frames_->ignored_box(); }
     /// The fraction of the file that has been read, 0 to 1; none where its length is not known.

@@ -1,146 +1,151 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <apps/formats/csv_fields.h>
-#include <apps/formats/frame_readers.h>
-#include <apps/formats/xyz_guess.h>
+#include <apps/formats/csv_frames.h>
+#include <apps/formats/decimal.h>
 
+#include <algorithm>
 #include <array>
+#include <memory>
+#include <utility>
 
 namespace annulus::inline v1 {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"frame", "id", "x", "y", "z"};
-
-bool is_named(std::string_view field, std::string_view name) {
-    if (field.size() != name.size()) return false;
-    for (std::size_t i = 0; i < name.size(); ++i)
-        if (field[i] != name[i] && field[i] != name[i] - 'a' + 'A') return false;
-    return true;
+std::string text_of(const Frame_value& value) {
+    return value.is_number ? std::to_string(value.number) : decimal(value.time);
 }
 
 }  // namespace
 
-/// Finds the fields that name columns which are needed.
-Csv_frames::Header Csv_frames::header() const {
-    Header result;
-    result.all = fields_.size();
-    result.separator = separator_;
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            if (!is_named(fields_[i], names[k]) || (k == id_column && !wants_ids())) continue;
-            if (result.at[k]) reader_.fail("names two columns " + std::string(names[k]), "one");
-            result.at[k] = i;
-        }
-    for (std::size_t k = 0; k < names.size(); ++k)
-        if (result.at[k] && (wants_ids() || k >= x_column))
-            result.taken.emplace_back(names[k], column_words(*result.at[k], std::string(fields_[*result.at[k]])));
-    return result;
+Csv_frames::Csv_frames(File_bytes& bytes, const Frame_options& options)
+    : Frame_reader(bytes, options), bytes_(bytes), rows_(reader_, options_.columns, wants_ids()) {}
+
+/// Reads the file once before the rows are read, if that is possible.
+void Csv_frames::take_survey() {
+    if (!options_.in_order) ids_.use_words();  // what ids are does not matter then, nor do numbers of frames
+    if (!options_.in_order || !wants_ids()) has_times_ = true;
+    if (has_times_) return;
+    const std::unique_ptr<File_bytes> again = bytes_.again();
+    if (!again) return;
+    survey_ = survey_table(*again, options_.columns);
+    has_times_ = !survey_.numbers_frames;
+    if (!survey_.has_integer_ids) ids_.use_words();
+    if (*has_times_) survey_.least_distance = 1;
 }
 
-/// Fields that continue on the next line are not supported: reading rows as parts of them, or the other way round,
-/// would lose or invent points.
-void Csv_frames::split(std::string_view text) {
-    if (!split_csv(text, separator_, fields_)) reader_.fail("a quoted field does not end", "its end in the same line");
+void Csv_frames::take_header() {
+    const Table_header& header = rows_.header();
+    Taken_columns taken = header.taken;
+    for (auto& [what, words] : taken)
+        if (what == table_column_names[frame_column])
+            words += std::string(survey_.in_order ? "" : ", rows sorted by it") +
+                     (survey_.numbers_frames ? "" : ", times numbered from 0");
+    take_columns(std::move(taken));
+    if (header.continued > 0)
+        note(header.continued_at, counted(header.continued, "line") + " without numbers below the header passed over");
 }
 
 /// Finds the columns; afterwards the first row, if any, is next.
 void Csv_frames::begin() {
     begun_ = true;
-    const bool motion = wants_ids();
-    std::optional<Header> commented;
-    std::string comment;  // the header, or the last one before the first row
-    while (true) {
-        if (!next_csv_line(reader_)) return;
-        const std::string_view text = csv_trimmed(reader_.line());
-        const std::string_view row = text.substr(text[0] == '#' ? 1 : 0);
-        separator_ = csv_separator(row);
-        if (text[0] != '#') {
-            split(row);
-            break;
-        }
-        (void)split_csv(row, separator_, fields_);  // it may be free text
-        if (!commented) comment = shown(text);
-        if (!is_csv_header(fields_)) continue;
-        const Header found = header();
-        if (!found.at[x_column] || !found.at[y_column]) continue;
-        commented = found;
-        comment = shown(text);
-    }
-    const std::string no_header = comment.empty() ? "no header" : "no header but a comment, " + comment;
-    row_is_due_ = !is_csv_header(fields_) && (!motion || commented);
-    has_header_ = !row_is_due_ || commented;
-    if (!row_is_due_) {
-        columns_ = header();
-    } else if (commented) {
-        columns_ = *commented;
-        separator_ = columns_.separator;
-        split(reader_.line());
-    } else {
-        columns_.all = fields_.size();
-        if (columns_.all < 2) reader_.fail("has 1 column", "x, y and perhaps z, separated by comma, semicolon or tab");
-        if (columns_.all > 3)
-            reader_.fail("has " + counted(columns_.all, "column") + " and " + no_header +
-                             ", so nothing says which of them are x, y and z",
-                         "a header that names x, y and perhaps z, or two or three columns");
-        for (std::size_t k = 0; k < columns_.all; ++k) {
-            columns_.at[x_column + k] = k;
-            columns_.taken.emplace_back(names[x_column + k], column_words(k));
-        }
-    }
-    for (std::size_t k = motion ? frame_column : x_column; k <= y_column; ++k)
-        if (!columns_.at[k]) {
-            const char* expected = motion ? "frame, id, x, y and perhaps z" : "columns x, y and perhaps z";
-            if (columns_.taken.empty() && !is_csv_header(fields_))
-                reader_.fail("has " + no_header, "a line above that names the columns: frame,id,x,y and perhaps z");
-            if (!commented && fields_.size() == 1 && fields_[0].find(' ') != std::string_view::npos)
-                reader_.fail("the header is separated by blanks: " + shown(fields_[0]),
-                             std::string(expected) + ", separated by comma, semicolon or tab");
-            reader_.fail("the header " + (commented ? "in the comment " + comment + " " : "") + "names no column " +
-                             std::string(names[k]),
-                         expected);
-        }
-    take_columns(columns_.taken);
-    if (!row_is_due_) (void)next_row();
+    take_survey();
+    if (!next_row()) return;
+    const bool decides = wants_ids() && survey_.rows == 0 && !ids_.are_words() && !rows_.is_absent();
+    if (decides && !rows_.has_integer_id()) ids_.use_words();
+    if (!survey_.in_order) sort_rows();
 }
 
 bool Csv_frames::next_row() {
-    row_is_due_ = next_csv_line(reader_);
-    if (row_is_due_) split(reader_.line());
-    return row_is_due_;
+    const bool first = rows_.header().columns.all == 0;
+    has_row_ = rows_.next();
+    if (first && rows_.header().columns.all > 0) take_header();
+    if (has_row_ && rows_.has(frame_column)) value_ = rows_.frame();
+    return has_row_;
+}
+
+/// The row that the reader is at.
+Csv_frames::Row Csv_frames::row() {
+    Row result{value_, reader_.number()};
+    result.is_absent = rows_.is_absent();
+    if (result.is_absent) return result;
+    if (wants_ids()) result.id = rows_.id(ids_);
+    result.position = rows_.position();
+    return result;
+}
+
+void Csv_frames::sort_rows() {
+    if (survey_.rows > most_sorted_rows)
+        reader_.fail("has " + std::to_string(survey_.rows) + " rows, and their frames are in no order",
+                     "rows in the order of frames, or at most " + std::to_string(most_sorted_rows) +
+                         ", which are sorted in memory");
+    sorted_.reserve(static_cast<std::size_t>(survey_.rows));
+    do sorted_.push_back(row());
+    while (next_row());
+    std::sort(sorted_.begin(), sorted_.end(),
+              [](const Row& a, const Row& b) { return a.frame == b.frame ? a.line < b.line : a.frame < b.frame; });
+    for (std::size_t i = 1; i < sorted_.size(); ++i) {
+        const Frame_value &before = sorted_[i - 1].frame, &after = sorted_[i].frame;
+        if (before == after) continue;
+        const std::uint64_t distance = has_times_.value_or(false) ? 1 : after.number - before.number;
+        survey_.least_distance = std::min(survey_.least_distance.value_or(distance), distance);
+    }
+    has_row_ = true;
 }
 
 bool Csv_frames::seek() {
     if (!begun_) begin();
-    return row_is_due_;
+    return has_row_;
+}
+
+void Csv_frames::append(const Row& row, Raw_frame& frame) {
+    if (row.is_absent) {
+        if (!std::exchange(noted_absent_, true))
+            note(row.line, "has no coordinates: where a row has none, its point is absent from the frame");
+        return;
+    }
+    if (wants_ids()) frame.id.push_back(row.id);
+    frame.points.points.push_back(row.position);
+    frame.points.lines.push_back(row.line);
+}
+
+/// The number of a frame. The next row has been looked at.
+std::uint64_t Csv_frames::number_of(const Frame_value& value, std::uint64_t line) {
+    if (!has_times_) has_times_ = !value.is_number || (has_row_ && !value_.is_number);
+    if (*has_times_) return wants_ids() ? next_number_++ : value.number;
+    if (!value.is_number)
+        reader_.fail_at(line, "the frame is " + text_of(value) + ", and those before are whole numbers",
+                        "whole numbers of 0 or more, or a regular file, which is read twice");
+    return value.number;
+}
+
+void Csv_frames::read_in_order(Raw_frame& frame) {
+    const Frame_value value = value_;
+    const bool unnamed = !rows_.header().named && rows_.header().columns.all == 3;
+    std::array<bool, 3> integers{unnamed, true, true};  // of x, y, z
+    do {
+        append(row(), frame);
+        for (std::size_t k = 0; k < 3 && integers[0]; ++k) integers[k] = integers[k] && is_integer(rows_.fields()[k]);
+    } while (next_row() && value_ == value);
+    if (has_row_ && value_ < value && options_.in_order)
+        reader_.fail("frame " + text_of(value_) + " after frame " + text_of(value), "frames in order");
+    frame.number = number_of(value, frame.line);
+    if (frame.points.points.size() >= 3 && integers[0] && !integers[1] && !integers[2])
+        note(frame.line, x_may_be_an_id);
+}
+
+void Csv_frames::read_sorted(Raw_frame& frame) {
+    const Row& first = sorted_[next_sorted_];
+    frame.line = first.line;
+    frame.number = number_of(first.frame, first.line);
+    while (next_sorted_ < sorted_.size() && sorted_[next_sorted_].frame == first.frame)
+        append(sorted_[next_sorted_++], frame);
+    has_row_ = next_sorted_ < sorted_.size();
 }
 
 void Csv_frames::read(Raw_frame& frame) {
-    const auto& at = columns_.at;
-    frame.points.has_z = at[z_column].has_value();
-    std::array<bool, 3> integers{!has_header_ && columns_.all == 3, true, true};  // of x, y, z
-    const std::uint64_t first = reader_.number();
-    do {
-        if (fields_.size() != columns_.all)
-            reader_.fail("has " + counted(fields_.size(), "column"),
-                         std::to_string(columns_.all) + (has_header_ ? " as in the header" : " as in the lines above"));
-        if (at[frame_column]) {
-            const std::uint64_t number = reader_.whole(fields_[*at[frame_column]], "the frame");
-            if (!frame.points.points.empty() && number != frame.number) {
-                if (number > frame.number) return;
-                reader_.fail("frame " + std::to_string(number) + " after frame " + std::to_string(frame.number),
-                             "frames in order");
-            }
-            frame.number = number;
-        }
-        if (wants_ids()) frame.id.push_back(reader_.whole(fields_[*at[id_column]], "the id"));
-        frame.points.points.push_back({reader_.real(fields_[*at[x_column]], "x"),
-                                       reader_.real(fields_[*at[y_column]], "y"),
-                                       at[z_column] ? reader_.real(fields_[*at[z_column]], "z") : 0.});
-        frame.points.lines.push_back(reader_.number());
-        if (integers[0])
-            for (std::size_t k = 0; k < 3; ++k) integers[k] = integers[k] && is_integer(fields_[k]);
-    } while (next_row());
-    if (frame.points.points.size() >= 3 && integers[0] && !integers[1] && !integers[2]) note(first, x_may_be_an_id);
+    frame.points.has_z = rows_.has(z_column);
+    if (sorted_.empty()) read_in_order(frame);
+    else read_sorted(frame);
 }
 
 void Csv_frames::refuse_more(const Raw_frame& frame) const {

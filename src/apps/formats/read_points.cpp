@@ -14,7 +14,8 @@ namespace annulus::inline v1 {
 namespace {
 
 /// These formats define which numbers are coordinates.
-Raw_points read_raw(File_bytes& bytes, Format format, const Periodic_box& box) {
+Raw_points read_raw(File_bytes& bytes, Format format, const Read_options& options) {
+    require_table(format, options.columns);
     const auto with = [](const char* what, Raw_points raw) {
         for (const char* axis : {"x", "y", "z"})
             if (*axis != 'z' || raw.has_z) raw.columns.emplace_back(axis, std::string(what) + axis);
@@ -24,7 +25,7 @@ Raw_points read_raw(File_bytes& bytes, Format format, const Periodic_box& box) {
         case Format::off: return with("vertex ", read_off(load_file(bytes)));
         case Format::ply: return with("property ", read_ply(load_file(bytes)));
         case Format::mesh: return with("vertex ", read_medit_points(load_file(bytes)));
-        default: return read_only_frame(bytes, format, box);
+        default: return read_only_frame(bytes, format, {.box = options.box, .columns = options.columns});
     }
 }
 
@@ -32,7 +33,7 @@ Raw_points read_raw(File_bytes& bytes, Format format, const Periodic_box& box) {
 Raw_points read_raw(const std::filesystem::path& file, const Read_options& options, std::string& name) {
     File_bytes bytes(file);
     name = bytes.name();
-    Raw_points raw = read_raw(bytes, format_of(file, point_formats, options.format), options.box);
+    Raw_points raw = read_raw(bytes, format_of(file, point_formats, options.format), options);
     if (raw.points.empty()) throw Input_error(Error_code::bad_input, name, 1, "has no points", "at least one point");
     return raw;
 }

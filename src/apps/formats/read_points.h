@@ -4,6 +4,7 @@
 #include <annulus/types.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/periodic_box.h>
+#include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct Read_options {
     /// "xyz", "csv" ..: the format of the file in place of that of its extension; standard input has none.
     std::string format{};
     Periodic_box box{};
+    Column_choice columns{};  ///< which columns of a table are taken; the others are found by their names
 };
 
 /// The points of one file, in its order and in its unit of length. All coordinates are finite.
@@ -41,9 +43,9 @@ struct Point_file {
     }
 };
 
-/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .off, .ply, .mesh (either case; see format.h),
-/// and .gz after it; see point_formats.h and frame_readers.h. `-` is standard input. A file of several frames is
-/// refused, and one with a periodic box unless it is to be ignored.
+/// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .npy, .off, .ply, .mesh (either case; see
+/// format.h), and .gz after it; see point_formats.h, frame_readers.h, csv_frames.h and npy_frames.h. `-` is standard
+/// input. A file of several frames is refused, and one with a periodic box unless it is to be ignored.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for every fault of the file, including a file
 /// without points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of the file,

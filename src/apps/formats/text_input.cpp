@@ -15,15 +15,6 @@ namespace {
 
 constexpr bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-/// A text of coordinates packs to a third or a tenth; content that expands without end is not text.
-void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line) {
-    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
-    if (unpacked > free + ratio * bytes.taken())
-        throw Input_error(Error_code::bad_input, bytes.name(), line,
-                          "grows to more than " + std::to_string(ratio) + " times its size",
-                          "text, or the file as it is when unpacked");
-}
-
 /// The line end of a text, decided by its first line, which is searched from a position on; 0 where the line may still
 /// continue. It is CR where no LF comes after it.
 char line_end_of(std::string_view text, std::size_t from, bool whole) {
@@ -38,6 +29,14 @@ constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::size_t longest_line = std::size_t{64} << 20;
 
 }  // namespace
+
+void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line) {
+    constexpr std::uint64_t free = std::uint64_t{64} << 20, ratio = 100;
+    if (bytes.packed() && unpacked > free + ratio * bytes.taken())
+        throw Input_error(Error_code::bad_input, bytes.name(), line,
+                          "grows to more than " + std::to_string(ratio) + " times its size",
+                          "text, or the file as it is when unpacked");
+}
 
 Source load_file(const std::filesystem::path& file, std::uint64_t most) {
     File_bytes bytes(file);
@@ -59,7 +58,7 @@ Source load_file(File_bytes& bytes, std::uint64_t most) {
     require_bounded(bytes.size().value_or(0));
     source.content.reserve(static_cast<std::size_t>(bytes.size().value_or(0)));
     while (bytes.more(source.content)) {
-        if (bytes.packed()) require_no_bomb(bytes, source.content.size(), 0);
+        require_no_bomb(bytes, source.content.size(), 0);
         require_bounded(source.content.size());
     }
     if (source.content.starts_with(byte_order_mark)) source.content.erase(0, byte_order_mark.size());
@@ -89,7 +88,7 @@ bool Line_reader::more() {
     try {
         ended_ = !bytes_->more(buffer_);
         unpacked_ += buffer_.size() - before;
-        if (bytes_->packed()) require_no_bomb(*bytes_, unpacked_ - piece_, 0);
+        require_no_bomb(*bytes_, unpacked_ - piece_, 0);
     } catch (const Input_error& error) {
         fail_at(number_ + 1, error.fault(), error.expected(), error.code());
     }

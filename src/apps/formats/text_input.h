@@ -35,6 +35,10 @@ inline constexpr std::uint64_t most_of_a_pipe = std::uint64_t{1} << 30;
                                std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 [[nodiscard]] Source load_file(File_bytes& bytes, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
+/// Fails where a packed file has grown beyond 64 MiB and a hundred times what was read of it: a text of coordinates
+/// packs to a third or a tenth, and content that expands without end is not text. `line` is that of the fault.
+void require_no_bomb(const File_bytes& bytes, std::uint64_t unpacked, std::uint64_t line);
+
 /// The words of a line between blanks.
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& words);
 

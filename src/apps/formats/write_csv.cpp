@@ -4,13 +4,10 @@
 #include <apps/formats/write_csv.h>
 
 #include <cmath>
-#include <string_view>
 
 namespace annulus::inline v1 {
 
-namespace {
-
-void append_text(std::string& out, std::string_view text) {
+void append_csv_text(std::string& out, std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
         out += text;
         return;
@@ -19,6 +16,8 @@ void append_text(std::string& out, std::string_view text) {
     for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
     out += '"';
 }
+
+namespace {
 
 struct Append_cell {
     std::string& out;
@@ -29,7 +28,7 @@ struct Append_cell {
     }
     void operator()(std::uint64_t value) const { append_decimal(out, value); }
     void operator()(std::int64_t value) const { append_decimal(out, value); }
-    void operator()(const std::string& text) const { append_text(out, text); }
+    void operator()(const std::string& text) const { append_csv_text(out, text); }
 };
 
 }  // namespace
@@ -38,7 +37,7 @@ std::string write_csv(const Csv_table& table) {
     std::string out;
     for (std::size_t i = 0; i < table.header.size(); ++i) {
         if (i > 0) out += ',';
-        append_text(out, table.header[i]);
+        append_csv_text(out, table.header[i]);
     }
     out += '\n';
     for (const auto& row : table.rows) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,9 @@ struct Csv_table {
     std::vector<std::string> header;
     std::vector<std::vector<Csv_cell>> rows;
 };
+
+/// Appends text, in quotes where RFC 4180 requires it.
+void append_csv_text(std::string& out, std::string_view text);
 
 /// The table as comma separated values, a line each (LF). Doubles are the shortest decimals that read back bit for bit;
 /// absent values and NaN are empty cells; text is quoted where RFC 4180 requires it. Throws Error(wrong_size) when a

@@ -11,7 +11,7 @@
 namespace annulus::inline v1 {
 
 /// Appends a frame in the format of its reader (frame_readers.h); the ids of points are their indices. Format is one of
-/// frame_formats; frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the
+/// written_formats; frames of one file are numbered from 0. Coordinates are the shortest decimals that read back as the
 /// same doubles.
 template <int d>
 void append_frame(std::string& out, Format format, std::uint64_t number, std::span<const Coordinates<d>> points);
