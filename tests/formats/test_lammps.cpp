@@ -63,13 +63,21 @@ TEST_CASE("LAMMPS: atoms by id, in any order, with columns in any place", "[io][
         Points_3{{4, 5, 6}, {1, 2, 3}});
 }
 
-TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped, then shares of the box",
+TEST_CASE("LAMMPS: of several kinds of positions a motion has the unwrapped ones first, points the plain ones",
           "[io][lammps]") {
     const auto first = [](const std::string& box, const std::string& columns, const std::string& row) {
         return accept(frame("0", box, columns, row, row)).frames[0].position[0];
     };
-    CHECK(first(upright, "xs ys zs xu yu zu x y z", "9 9 9 8 8 8 1 2 3") == Coordinates<3>{1, 2, 3});
+    const auto point = [](const std::string& columns, const std::string& row) {
+        const Temporary_directory directory;
+        return read_points<3>(directory.file("a.dump", frame("0", upright, columns, row, row))).points[0];
+    };
+    CHECK(first(upright, "xs ys zs x y z xu yu zu", "9 9 9 8 8 8 1 2 3") == Coordinates<3>{1, 2, 3});
+    CHECK(first(upright, "xsu ysu zsu x y z", "9 9 9 1 2 3") == Coordinates<3>{90, 85, 20});
+    CHECK(first(upright, "xs ys zs x y z", "9 9 9 1 2 3") == Coordinates<3>{1, 2, 3});
     CHECK(first(upright, "xs ys zs xu yu zu", "9 9 9 1 2 3") == Coordinates<3>{1, 2, 3});
+    CHECK(point("xs ys zs xu yu zu x y z", "9 9 9 8 8 8 1 2 3") == Coordinates<3>{1, 2, 3});
+    CHECK(point("xs ys zs xu yu zu", "9 9 9 1 2 3") == Coordinates<3>{1, 2, 3});
     CHECK(first(upright, "xs ys zs", "0.5 0 1") == Coordinates<3>{5, -5, 4});
     CHECK(first(upright, "xsu ysu zsu", "2 0 -1") == Coordinates<3>{20, -5, 0});
     // x without y is not a position.
@@ -83,6 +91,47 @@ TEST_CASE("LAMMPS: of several kinds of positions the plain ones, then unwrapped,
     const std::string general = "abc origin pp pp pp\n0 10 0 1\n-10 0 0 2\n0 0 10 3\n";
     CHECK(first(general, "xs ys zs", "0.5 0 0") == Coordinates<3>{1, 7, 3});
     CHECK(first(general, "xs ys zs", "0 0.5 1") == Coordinates<3>{-4, 2, 13});
+}
+
+TEST_CASE("LAMMPS: a motion is unwrapped by images, points are not", "[io][lammps]") {
+    const auto first = [](const std::string& box, const std::string& columns, const std::string& row) {
+        return accept(frame("0", box, columns, row, row)).frames[0].position[0];
+    };
+    CHECK(first(upright, "x y z ix iy iz", "1 2 3 1 -2 0") == Coordinates<3>{11, -18, 3});
+    CHECK(first(upright, "iz iy ix z y x", "0 -2 1 3 2 1") == Coordinates<3>{11, -18, 3});
+    CHECK(first(upright, "xs ys zs ix iy iz", "0.5 0 1 1 0 -1") == Coordinates<3>{15, -5, 2});
+    CHECK(first(upright, "x y ix iy", "1 2 1 -2") == Coordinates<3>{11, -18, 0});
+    CHECK(first(upright, "x y z xu yu zu ix iy iz", "9 9 9 1 2 3 7 7 7") == Coordinates<3>{1, 2, 3});
+    CHECK(first(upright, "xsu ysu zsu x y z ix iy iz", "9 9 9 1 2 3 1 0 0") == Coordinates<3>{11, 2, 3});
+    // Edges (10, 0, 0), (2, 10, 0) and (-3, 1, 10).
+    const std::string oblique = "xy xz yz pp pp pp\n-3 12 2\n0 11 -3\n0 10 1\n";
+    CHECK(first(oblique, "x y z ix iy iz", "1 1 1 0 2 0") == Coordinates<3>{5, 21, 1});
+    CHECK(first(oblique, "x y z ix iy iz", "1 1 1 1 0 -1") == Coordinates<3>{14, 0, -9});
+    // Images are those of each axis that there is, and of a box.
+    const auto notes = [](const std::string& content) { return accept(content).notes; };
+    REQUIRE(notes(frame("0", upright, "x y z ix iy", "1 2 3 1 1", "2 2 2 1 1")).size() == 1);
+    CHECK(notes(frame("0", upright, "x y z ix iy iz", "1 2 3 1 1 1", "2 2 2 1 1 1")).empty());
+    const std::string boxless = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y ix iy\n1 2 3 4\n";
+    CHECK(accept(boxless).frames[0].position == Points_3{{1, 2, 0}});
+    CHECK(notes(boxless)[0].find("not used: ix iy; positions are as written") != std::string::npos);
+    refuse(frame("0", upright, "x y ix iy", "1 2 0 0.5", "2 2 0 0"), 10, "iy is not an integer: '0.5'");
+    refuse(frame("0", upright, "x y ix iy", "1 2 1e308 0", "2 2 0 0"), 10,
+           "x is too large for a double once multiplied", Error_code::not_finite);
+    refuse(frame("0", upright, "x y ix iy", "1 2 0 0", "2 2 0 0") + frame("1", upright, "x y", "1 2", "2 2"), 20,
+           "positions are x .. here, and x with ix .. in frames before");
+    const Temporary_directory directory;
+    const auto file = directory.file("a.dump", frame("0", upright, "x y z ix iy iz", "1 2 3 1 0 0", "2 2 2 0 0 0"));
+    const auto points = read_points<3>(file);
+    CHECK(points.points[0] == Coordinates<3>{1, 2, 3});
+    REQUIRE(points.notes.size() == 1);
+    CHECK(points.notes[0].find("not used: ix iy iz") != std::string::npos);
+    Motion_reader reader(file);
+    Frame frame_0;
+    CHECK(reader.next(frame_0));
+    CHECK(reader.columns() == Taken_columns{{"id", place_as_id},
+                                            {"x", "column 1 (x) and column 4 (ix)"},
+                                            {"y", "column 2 (y) and column 5 (iy)"},
+                                            {"z", "column 3 (z) and column 6 (iz)"}});
 }
 
 TEST_CASE("LAMMPS: of several kinds of positions one that is there in full, and the same in every frame",
@@ -117,10 +166,8 @@ TEST_CASE("LAMMPS: a periodic box is refused, or announced and not obeyed", "[io
         CHECK(notes[0].find("ignored") != std::string::npos);
     }
     CHECK(accept(frame("0", "ff ss mm\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1")).notes.empty());
-    // Columns that would unwrap them are not used, and a note says so.
-    const auto both = accept(frame("0", upright, "x y ix iy xu yu", "0 0 0 0 0 0", "1 1 0 0 1 1")).notes;
-    REQUIRE(both.size() == 1);
-    CHECK(both[0].find("not used: ix iy xu yu; positions are as written") != std::string::npos);
+    // Columns that would unwrap them are used in motions; a note says where they are not.
+    CHECK(accept(frame("0", upright, "x y ix iy xu yu", "0 0 0 0 0 0", "1 1 0 0 1 1")).notes.empty());
     CHECK(accept(frame("0", upright, "xu yu ix iy", "0 0 0 0", "1 1 0 0")).notes.empty());
     // Early versions did not write how the sides are: then they are as by default.
     refuse(frame("0", "\n0 1\n0 1\n0 1\n", "x y", "0 0", "1 1"), 5, "without a word on its sides");

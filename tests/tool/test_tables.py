@@ -159,6 +159,26 @@ class Tables(tool.ToolTest):
             self.assertIn(message, self.refuse(3, "replay", "c.npy"))
         self.refuse(2, "generate", "walk", "-n", 3, "--format", "npy")
 
+    def test_lammps_motions_are_unwrapped(self):
+        def dump(columns, *rows):
+            return "".join(f"ITEM: TIMESTEP\n{t}\nITEM: NUMBER OF ATOMS\n4\n"
+                           "ITEM: BOX BOUNDS pp pp pp\n0 10\n0 10\n0 10\n"
+                           f"ITEM: ATOMS id {columns}\n{row}2 2 2 0 2 2 0\n3 8 2 0 8 2 0\n4 2 8 0 2 8 0\n"
+                           for t, row in enumerate(rows))
+        self.write("a.dump", dump("x y ix xu yu iy", "1 9.5 5 0 9.5 5 0\n", "1 0.5 5 1 10.5 5 0\n"))
+        self.assertIn("a periodic box", self.refuse(3, "replay", "a.dump"))
+        for name, content, x in (
+            ("a.dump", None, "column 5 (xu)"),
+            ("b.dump", dump("x y ix q r iy", "1 9.5 5 0 9 5 0\n", "1 0.5 5 1 9 5 0\n"),
+             "column 2 (x) and column 4 (ix)"),
+        ):
+            if content:
+                self.write(name, content)
+            done = self.succeed("replay", name, "--open", "--output", "out")
+            self.assertEqual(self.summary("out")["columns"]["x"], x)
+            self.assertIn((10.5, 5), self.mesh("out")[0])
+            self.assertNotIn("not used", done.stderr)
+
     def test_tables_that_are_refused_say_why(self):
         for content, message in (
             ("frame,id,x,y\n0,1,0,0\n0,,1,0\n", "a.csv:3: the id is missing"),

@@ -125,10 +125,12 @@ class Xyz_frames : public Frame_reader {
 };
 
 /// LAMMPS dumps in text: ITEM: TIMESTEP, NUMBER OF ATOMS, BOX BOUNDS and ATOMS with the names of its columns; UNITS and
-/// TIME are skipped. Positions are x y z, or xu yu zu unless all three of these are there, then xs ys zs or xsu ysu
-/// zsu, which are converted in doubles; a frame is 2D where no column is a z. All frames must have the same kind of
-/// columns. A frame's number is its timestep. A box is periodic where one of its sides is p, or where the file does not
-/// say how its sides are.
+/// TIME are skipped. Positions of points are x y z, or xu yu zu unless all three of these are there, then xs ys zs or
+/// xsu ysu zsu. Those of a motion are unwrapped if possible, so that atoms which leave the box do not jump: xu yu zu,
+/// else x y z with the images ix iy iz, else xsu ysu zsu, else xs ys zs with images, else x y z or xs ys zs alone.
+/// Images and shares are multiplied by the box in doubles. A frame is 2D where no column is a z. All frames must have
+/// the same kind of columns. A frame's number is its timestep. A box is periodic where one of its sides is p, or where
+/// the file does not say how its sides are.
 class Lammps_frames : public Frame_reader {
   public:
     Lammps_frames(File_bytes& bytes, const Frame_options& options) : Frame_reader(bytes, options) {}
@@ -141,11 +143,10 @@ class Lammps_frames : public Frame_reader {
     };
     struct Columns {
         std::size_t all = 0;
-        std::array<std::optional<std::size_t>, 3> at;
+        std::array<std::optional<std::size_t>, 3> at, image;
         std::optional<std::size_t> id;
-        bool scaled = false;
-        std::string_view kind;  ///< the suffix of x in its name
-        std::string unused;     ///< columns of unwrapped positions and of images that are there but not used
+        bool scaled = false, images = false;
+        std::string_view suffix{};  ///< of x in its name
     };
 
     bool seek() override;
@@ -154,12 +155,14 @@ class Lammps_frames : public Frame_reader {
     [[nodiscard]] bool is_item(std::string_view name) const;
     void require_values(std::size_t columns, std::string_view what);
     [[nodiscard]] Box read_box();
-    [[nodiscard]] Columns find_columns() const;
-    [[nodiscard]] std::string unwrapping(std::string_view taken) const;
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
+    [[nodiscard]] Columns find_columns(bool has_box) const;
+    [[nodiscard]] std::string not_used(const Columns& taken) const;
     void take(const Columns& at);
+    [[nodiscard]] Coordinates<3> position(const Columns& at, const Box& box) const;
     void read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box);
 
-    std::optional<std::string_view> kind_;  ///< of the columns of earlier frames
+    std::optional<std::string> kind_;  ///< of the columns of earlier frames
 };
 
 /// The reader of one of frame_formats. Throws Error(usage) for a choice of columns where the format is no table.

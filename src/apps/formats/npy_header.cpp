@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/npy_header.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/standard.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>

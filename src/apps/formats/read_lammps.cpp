@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -11,8 +12,17 @@ namespace {
 
 constexpr std::string_view item = "ITEM: ";
 constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-/// Suffixes of x, y and z in the names of columns: plain, unwrapped, and the same scaled by the box.
-constexpr std::array<std::string_view, 4> kinds{"", "u", "s", "su"};
+constexpr std::array<std::string_view, 3> image_names{"ix", "iy", "iz"};
+
+/// A way to write positions: the suffix of x, y and z in the names of columns (plain, u unwrapped, s and su the same in
+/// shares of the box), and whether images are added.
+struct Position_kind {
+    std::string_view suffix;
+    bool images = false;
+};
+/// In the order of preference: positions as written; for a motion those that do not jump where an atom leaves the box.
+constexpr std::array<Position_kind, 4> of_points{{{""}, {"u"}, {"s"}, {"su"}}};
+constexpr std::array<Position_kind, 6> of_motions{{{"u"}, {"", true}, {"su"}, {"s", true}, {""}, {"s"}}};
 
 /// Whether this is a side of the box: two of p, f, s and m, of which p is periodic.
 bool is_boundary(std::string_view word) {
@@ -82,47 +92,53 @@ Lammps_frames::Box Lammps_frames::read_box() {
     return box;
 }
 
+/// The column of this name after ATOMS.
+std::optional<std::size_t> Lammps_frames::find(std::string_view name) const {
+    const auto& words = reader_.fields();
+    const auto first = words.begin() + 2, at = std::find(first, words.end(), name);
+    if (at == words.end()) return std::nullopt;
+    if (std::find(at + 1, words.end(), name) != words.end())
+        reader_.fail("names two columns " + std::string(name), "one");
+    return static_cast<std::size_t>(at - first);
+}
+
 /// Parses the names after ATOMS: takes the first kind of position that is complete. One without z is taken where there
 /// is no z.
-Lammps_frames::Columns Lammps_frames::find_columns() const {
-    const auto& words = reader_.fields();
-    Columns result;
-    result.all = words.size() - 2;
-    const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
-        const auto first = words.begin() + 2, at = std::find(first, words.end(), name);
-        if (at == words.end()) return std::nullopt;
-        if (std::find(at + 1, words.end(), name) != words.end())
-            reader_.fail("names two columns " + std::string(name), "one");
-        return static_cast<std::size_t>(at - first);
-    };
-    if (wants_ids()) result.id = find("id");
-    std::optional<std::array<std::optional<std::size_t>, 3>> flat;
+Lammps_frames::Columns Lammps_frames::find_columns(bool has_box) const {
+    Columns base;
+    base.all = reader_.fields().size() - 2;
+    if (wants_ids()) base.id = find("id");
+    std::optional<Columns> flat;
     std::string z;  // of a kind that is incomplete
-    for (const std::string_view kind : kinds) {
-        std::array<std::optional<std::size_t>, 3> at;
-        for (std::size_t i = 0; i < 3; ++i) at[i] = find(std::string(axes[i]) + std::string(kind));
-        const bool plane = at[0] && at[1];
-        if (at[2] && !plane && z.empty()) z = std::string(axes[2]) + std::string(kind);
-        if (!plane || (flat && !at[2])) continue;
-        result.kind = kind;
-        result.scaled = kind.starts_with('s');
-        result.at = at;
-        result.unused = unwrapping(kind);
-        if (at[2]) return result;
-        flat = at;
+    const std::span<const Position_kind> kinds = wants_ids() ? std::span<const Position_kind>(of_motions) : of_points;
+    for (const auto& [suffix, images] : kinds) {
+        Columns found = base;
+        found.suffix = suffix;
+        found.scaled = suffix.starts_with('s');
+        for (std::size_t i = 0; i < 3; ++i) found.at[i] = find(std::string(axes[i]) + std::string(suffix));
+        const bool plane = found.at[0] && found.at[1];
+        if (found.at[2] && !plane && z.empty()) z = std::string(axes[2]) + std::string(suffix);
+        for (std::size_t i = 0; i < 3 && images; ++i)
+            if (found.at[i]) found.image[i] = find(image_names[i]);
+        found.images = images && has_box;
+        for (std::size_t i = 0; i < 3; ++i)
+            found.images = found.images && found.at[i].has_value() == found.image[i].has_value();
+        if (!plane || (flat && !found.at[2]) || found.images != images) continue;
+        if (found.at[2]) return found;
+        flat = found;
     }
     if (flat && !z.empty())
-        reader_.fail("ITEM: ATOMS names x" + std::string(result.kind) + " and y" + std::string(result.kind) +
+        reader_.fail("ITEM: ATOMS names x" + std::string(flat->suffix) + " and y" + std::string(flat->suffix) +
                          ", and of z only " + z,
                      "all three in one way: x y z, xu yu zu, xs ys zs or xsu ysu zsu");
-    if (flat) return result;
+    if (flat) return *flat;
     reader_.fail("ITEM: ATOMS names no columns of positions", "x y [z], xu yu [zu], xs ys [zs] or xsu ysu [zsu]");
 }
 
-/// Columns of the header with the images of atoms that have left the box, if positions are wrapped into it.
-std::string Lammps_frames::unwrapping(std::string_view taken) const {
+/// Columns of the header that would unwrap positions, and are not used.
+std::string Lammps_frames::not_used(const Columns& taken) const {
     std::string result;
-    if (taken == kinds[1] || taken == kinds[3]) return result;
+    if (taken.images || taken.suffix.ends_with('u')) return result;
     const auto& words = reader_.fields();
     for (auto word = words.begin() + 2; word != words.end(); ++word)
         for (const std::string_view name : {"xu", "yu", "zu", "xsu", "ysu", "zsu", "ix", "iy", "iz"})
@@ -131,24 +147,52 @@ std::string Lammps_frames::unwrapping(std::string_view taken) const {
 }
 
 void Lammps_frames::take(const Columns& at) {
-    if (kind_.value_or(at.kind) != at.kind)
-        reader_.fail(
-            "positions are x" + std::string(at.kind) + " .. here, and x" + std::string(*kind_) + " .. in frames before",
-            "the same in every frame");
-    if (std::exchange(kind_, at.kind)) return;
-    if (!at.unused.empty())
-        note(reader_.number(), "not used: " + at.unused + "; positions are as written, not unwrapped");
+    const std::string kind = "x" + std::string(at.suffix) + (at.images ? " with ix" : "") + " ..";
+    if (kind_.value_or(kind) != kind)
+        reader_.fail("positions are " + kind + " here, and " + *kind_ + " in frames before", "the same in every frame");
+    if (std::exchange(kind_, kind)) return;
+    const std::string unused = not_used(at);
+    if (!unused.empty()) note(reader_.number(), "not used: " + unused + "; positions are as written, not unwrapped");
     Taken_columns taken;
     if (wants_ids() && at.id) taken.emplace_back("id", column_words(*at.id, "id"));
     else if (wants_ids()) taken.emplace_back("id", place_as_id);
-    for (std::size_t i = 0; i < 3; ++i)
-        if (at.at[i]) taken.emplace_back(axes[i], column_words(*at.at[i], std::string(axes[i]) + std::string(at.kind)));
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!at.at[i]) continue;
+        std::string words = column_words(*at.at[i], std::string(axes[i]) + std::string(at.suffix));
+        if (at.images)
+            words += " and column " + std::to_string(*at.image[i] + 1) + " (" + std::string(image_names[i]) + ")";
+        taken.emplace_back(axes[i], std::move(words));
+    }
     take_columns(std::move(taken));
+}
+
+/// The position of the atom whose record the reader is at: unwrapped by its images, and multiplied by the box.
+Coordinates<3> Lammps_frames::position(const Columns& at, const Box& box) const {
+    const auto& fields = reader_.fields();
+    Coordinates<3> p{}, image{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (at.at[i]) p[i] = reader_.real(fields[*at.at[i]], axes[i]);
+        if (!at.images || !at.image[i]) continue;
+        image[i] = reader_.real(fields[*at.image[i]], image_names[i]);
+        if (image[i] != std::floor(image[i]))
+            reader_.fail(std::string(image_names[i]) + " is not an integer: " + shown(fields[*at.image[i]]),
+                         "an integer");
+    }
+    if (!at.scaled && !at.images) return p;
+    Coordinates<3> q = at.scaled ? box.corner : p;
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i) q[i] += (at.scaled ? p[k] + image[k] : image[k]) * box.edge[k][i];
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!std::isfinite(q[i]))
+            reader_.fail(std::string(axes[i]) + " is too large for a double once multiplied by the box",
+                         "a finite number", Error_code::not_finite);
+    if (!at.at[2]) q[2] = 0;
+    return q;
 }
 
 void Lammps_frames::read_atoms(Raw_frame& frame, std::uint64_t count, const std::optional<Box>& box) {
     if (count == 0) return;
-    const Columns at = find_columns();
+    const Columns at = find_columns(box.has_value());
     take(at);
     if (at.scaled && !box) reader_.fail("positions in shares of a box that is not there", "ITEM: BOX BOUNDS before");
     frame.points.has_z = at.at[2].has_value();
@@ -158,21 +202,7 @@ void Lammps_frames::read_atoms(Raw_frame& frame, std::uint64_t count, const std:
         const auto& fields = reader_.fields();
         if (fields.size() != at.all)
             reader_.fail("has " + counted(fields.size(), "column"), std::to_string(at.all) + " as ITEM: ATOMS says");
-        Coordinates<3> p{};
-        for (std::size_t i = 0; i < 3; ++i)
-            if (at.at[i]) p[i] = reader_.real(fields[*at.at[i]], axes[i]);
-        if (at.scaled) {
-            Coordinates<3> q = box->corner;
-            for (std::size_t k = 0; k < 3; ++k)
-                for (std::size_t i = 0; i < 3; ++i) q[i] += p[k] * box->edge[k][i];
-            for (std::size_t i = 0; i < 3; ++i)
-                if (!std::isfinite(q[i]))
-                    reader_.fail(std::string(axes[i]) + " is too large for a double once multiplied by the box",
-                                 "a finite number", Error_code::not_finite);
-            p = q;
-            if (!at.at[2]) p[2] = 0;
-        }
-        frame.points.points.push_back(p);
+        frame.points.points.push_back(position(at, box.value_or(Box{})));
         frame.points.lines.push_back(reader_.number());
         if (wants_ids()) frame.id.push_back(at.id ? reader_.whole(fields[*at.id], "the id") : n);
     }

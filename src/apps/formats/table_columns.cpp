@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/arithmetic/error.h>
+#include <annulus/error.h>
 #include <apps/formats/csv_fields.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/table_columns.h>

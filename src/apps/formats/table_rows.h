@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/arithmetic/coordinates.h>
+#include <annulus/types.h>
 #include <apps/formats/point_ids.h>
 #include <apps/formats/table_header.h>
 
