@@ -16,8 +16,8 @@ struct Certified_sign {
     /// sign is 0, otherwise above 0, unless the truth is below the least subnormal double.
     double tolerance;
     /// The ends of an enclosure of the width of the standard annulus (in_circle, in_sphere), or of the narrowest slab
-    /// that holds the points (orient_2d, orient_3d): at most a thousandth apart, relatively, or neighbouring doubles.
-    /// Both are 0 if the sign is.
+    /// that holds the points (orient_2d, orient_3d): at most a thousandth apart, relatively, and below 2^-1062 at most
+    /// two subnormal doubles. Both are 0 if the sign is.
     double width_lower;
     double width_upper;
     double theta;  ///< angle of numerical stability in radians, 0 to pi/2; NaN for orientations, which have none
@@ -48,8 +48,8 @@ struct Certified_sign {
 /// Tolerance, width and theta are those of a bi-cell of the Delaunay triangulation of the four points: two triangles
 /// with a common edge. The tolerance is half the width of its standard annulus, or of one of its triangles if that is
 /// narrower. If one point is inside the triangle of the others there are three bi-cells, and it is the one with the
-/// greatest tolerance. If the sign is 0 and the points are on a circle, there are two, with the same theta; on a line
-/// there is none, and theta is 0.
+/// greatest tolerance; where two are nearly as great, the order of the points decides. If the sign is 0 and the points
+/// are four on a circle, there are two, with the same theta; otherwise there is none, and theta is 0.
 [[nodiscard]] Certified_sign in_circle(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c,
                                        const Coordinates<2>& d);
 
