@@ -65,7 +65,7 @@ struct Scene {
     /// The terms that the facet adds to the vertices: by edge, as at the beginning of voronoi_terms.h.
     [[nodiscard]] std::vector<mpq_class> terms() const {
         std::vector<mpq_class> out(x.size());
-        const auto& facet = facet_of<d>[cells.opposite];
+        const auto& facet = facet_corners<d>[cells.opposite];
         for (std::size_t e = 0; e < (d == 2 ? 1 : 3); ++e) {
             const std::size_t p = facet[e], q = facet[(e + 1) % d];
             const Exact<d> n = less<d>(at(q), at(p));

@@ -97,11 +97,11 @@ class Exact_star {
                                 "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it");
                 const Integers<d>& from = centre_[k];
                 const Integers<d>& to = centre_[static_cast<std::size_t>(found - around_.begin())];
-                if constexpr (d == 2) add(edge(k, facet_of<2>[i][0], facet_of<2>[i][1]), from, to);
+                if constexpr (d == 2) add(edge(k, facet_corners<2>[i][0], facet_corners<2>[i][1]), from, to);
                 else
                     for (std::size_t e = 0; e < 3; ++e) {
-                        const std::size_t p = facet_of<3>[i][e];
-                        const std::size_t q = facet_of<3>[i][(e + 1) % 3];
+                        const std::size_t p = facet_corners<3>[i][e];
+                        const std::size_t q = facet_corners<3>[i][(e + 1) % 3];
                         if (p == own_[k] || q == own_[k]) add(edge(k, p, q), from, to);
                     }
             }

@@ -12,11 +12,12 @@ namespace annulus::inline v1 {
 /// from p to q with the cell on the left).
 template <int d>
 inline constexpr std::array<std::array<std::size_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>
-    facet_of{};
+    facet_corners{};
 template <>
-inline constexpr std::array<std::array<std::size_t, 2>, 3> facet_of<2>{{{1, 2}, {2, 0}, {0, 1}}};
+inline constexpr std::array<std::array<std::size_t, 2>, 3> facet_corners<2>{{{1, 2}, {2, 0}, {0, 1}}};
 template <>
-inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_of<3>{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corners<3>{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// The area or volume of the Voronoi cell of vertex v, with a relative error below 2^-49 (in the normal range; the
 /// largest double in place of what is larger). `around` are the cells with corner v, ascending, all of them, and no

@@ -18,7 +18,7 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// Adapts a table for Voronoi_terms: its finite cells in its order are those of mesh_cells().
 template <int d>
-struct Table_cells {
+struct Cells_of_table {
     const Corner_table<d>& table;
 
     [[nodiscard]] Index corner(Index c, std::size_t i) const {
@@ -187,7 +187,7 @@ template <int d>
 void Kept_voronoi_volumes<d>::find_circumcentres(std::span<const Cell_index> cells) {
     const double unit = scale();
     if (!std::isnormal(unit)) return;  // every coordinate is subnormal
-    const Table_cells<d> of{table()};
+    const Cells_of_table<d> of{table()};
     for (const Cell_index c : cells) {
         if (table().is_infinite(c)) continue;
         Corners<d> corners;
@@ -206,7 +206,7 @@ void Kept_voronoi_volumes<d>::add_up(std::span<const Index> vertices, std::span<
         sum_[at(v)] = {0, normal ? 0 : unbounded};
         volume_[at(v)] = 0;
     }
-    const Table_cells<d> cells{table()};
+    const Cells_of_table<d> cells{table()};
     const Voronoi_terms<d> terms(x_, centre_, unit, sum_);
     for (const Cell_index c : around) {
         if (!table().is_infinite(c)) {
@@ -225,7 +225,7 @@ void Kept_voronoi_volumes<d>::add_up(std::span<const Index> vertices, std::span<
 template <int d>
 double Kept_voronoi_volumes<d>::exact_volume(Index v) const {
     const std::vector<Cell_index> around = cells_around(std::span(&v, 1));
-    const Table_cells<d> of{table()};
+    const Cells_of_table<d> of{table()};
     Mesh_cells<d> star;
     std::vector<std::size_t> numbers;
     for (const Cell_index c : around) {

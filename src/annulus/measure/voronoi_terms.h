@@ -17,7 +17,7 @@
 // Let F be a facet of the triangulation between two cells with circumcentres C and C', and n = q - p one of its edges,
 // m a point of the line pq. The triangle m, C, C' is in the Voronoi facet of p and q; the signed triangles of all F
 // around the edge add up to it. So the pyramids over it with tips p and q, which are congruent, are sums of (C left of
-// F and C' right of it, as in facet_of)
+// F and C' right of it, as in facet_corners)
 //
 //     n . ((C - m) x (C' - m)) / 12     and in 2D     (C' - C) . (n_y, -n_x) / 4,
 //
@@ -99,7 +99,7 @@ class Voronoi_terms {
         for (std::size_t i = 0; i <= d; ++i) {
             const Index n = cells.beyond(c, i);
             if (n < c || !cells.is_finite(n)) continue;
-            const auto& facet = facet_of<d>[i];
+            const auto& facet = facet_corners<d>[i];
             if constexpr (d == 2) add_edge(v, edge[facet[0]], edge[facet[1]], i, centre_[at(c)], n, cells.corner(n, 0));
             else {
                 Seen left{centre_[at(c)].offset, centre_[at(c)].error};
@@ -154,8 +154,8 @@ class Voronoi_terms {
         const Seen right = seen_from(v[0], n, base);
         Coordinates<d> dual;
         for (std::size_t k = 0; k < d; ++k) dual[k] = right.offset[k] - left.offset[k];
-        const Index from = v[facet_of<d>[i][0]];
-        const Index to = v[facet_of<d>[i][1]];
+        const Index from = v[facet_corners<d>[i][0]];
+        const Index to = v[facet_corners<d>[i][1]];
         Coordinates<d> e;
         if (i == 0) e = difference(from, to);
         else
@@ -170,7 +170,7 @@ class Voronoi_terms {
     /// The facet opposite to corner i: e and f from its first corner to the others, `left` relative to that corner.
     void add_facet(const Corners_of& v, std::size_t i, const Coordinates<d>& e, const Coordinates<d>& f,
                    const Seen& left, Index n, Index base) const {
-        const auto& facet = facet_of<d>[i];
+        const auto& facet = facet_corners<d>[i];
         const Index a = v[facet[0]];
         const Seen right = seen_from(a, n, base);
         const Coordinates<d>& x = left.offset;

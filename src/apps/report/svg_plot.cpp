@@ -54,7 +54,7 @@ Frame frame_for(const Plot& plot, const Axis_range& ys) {
     Frame frame;
     for (const Tick& tick : ys.ticks())
         frame.left = std::max(frame.left, 24 + number_width * static_cast<double>(letters(tick.label)));
-    if (longest > 0) frame.right = width - std::min(letter_width * static_cast<double>(longest) + 14, 190.);
+    if (longest > 0) frame.right = width - std::min(letter_width * static_cast<double>(longest) + 14, 240.);
     return frame;
 }
 
