@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The last operations of the filter stage (detail::accept in src/annulus/predicate/filtered_2.h): given what
+# The last operations of the filter stage (detail::decide in src/annulus/predicate/decide.h): given what
 # certificates_2.g proves of the terms, the tolerance returned is not above the truth. `tail` of bounds.h.
 #
 # P: computed determinant, e: its error bound, n: what the norms may be short by (0 for the orientation), all of them

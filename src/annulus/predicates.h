@@ -20,14 +20,19 @@ struct Certified_sign {
     /// two subnormal doubles. Both are 0 if the sign is.
     double width_lower;
     double width_upper;
-    double theta;  ///< angle of numerical stability in radians, 0 to pi/2; NaN for orientations, which have none
-    Stage stage;   ///< the stage that decided the sign
+    /// The angle between the axis of the common facet and the bisector of the two points off it, in radians, 0 to pi/2:
+    /// near 0 the centre of the annulus is ill-conditioned. NaN for orientations, which have none.
+    double theta;
+    Stage stage;  ///< the stage that decided the sign
 };
 
-// These predicates take points of the coordinate domain: every coordinate is a number of magnitude at most 2^500. They
-// perturb nothing. Swapping two points negates the sign. Errors: not_finite and out_of_domain, with the number of the
-// argument, counted from 0, in vertices(); environment. A call takes 0.1 to 1.5 microseconds, and up to some ten where
-// the sign needs integers. Thread-safe.
+// Points are of the coordinate domain: every coordinate is a number of magnitude at most 2^500. Then
+//   (1) sign is 0 if and only if the determinant is exactly 0: nothing is perturbed;
+//   (2) swapping two points negates the sign;
+//   (3) while every point is less than tolerance from where it is here, the sign stays;
+//   (4) if sign is 0, so are tolerance, width_lower and width_upper.
+// Errors: not_finite and out_of_domain, with the number of the argument, counted from 0, in vertices(); environment. A
+// call takes 0.1 to 1.5 microseconds, and up to some ten where the sign needs integers. Thread-safe.
 //
 // The forms for many rows of points check the environment once. Their errors name the row; no row has been computed
 // then. Precondition: points.size() == out.size().
@@ -42,6 +47,17 @@ struct Certified_sign {
 [[nodiscard]] Certified_sign orient_3d(const Coordinates<3>& a, const Coordinates<3>& b, const Coordinates<3>& c,
                                        const Coordinates<3>& d);
 
+/*
+        . . . . .            A bi-cell: two triangles with the common edge a b, and the points p, q off it.
+     .             .         Inner circle: through a and b. Outer circle: concentric, through p and q.
+   .     . .a. .     .       The ring between them is the standard annulus. While no point moves by half its
+  .    .    |    .    .      width, a and b are inside the circle half-way between the two, p and q outside:
+  p    .    +    .    q      the sign stays.
+  .    .    |    .    .
+   .     . .b. .     .
+     .             .
+        . . . . .
+*/
 /// Positive if d is strictly inside the circle through a, b, c, and these turn left; negative if it is strictly
 /// outside. The signs are the opposite ones if a, b, c turn right. 0 if all four are on one circle or on one line.
 ///

@@ -3,7 +3,12 @@
 #include <annulus/arithmetic/rounding_guard.h>
 #include <annulus/predicate/interval_stage.h>
 
+#include <support/arbitrary.h>
 #include <support/catch.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
 
 using namespace annulus;
 
@@ -12,6 +17,9 @@ namespace {
 // From memory and never inlined: see Rounding_guard.
 [[gnu::noinline]] void roots(const Interval& x, const Interval& y, double& r) { r = detail::roots_upper(x, y); }
 [[gnu::noinline]] void quotient(const double& x, const double& y, double& r) { r = detail::quotient_lower(x, y); }
+[[gnu::noinline]] void quotients(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& q) {
+    for (std::size_t i = 0; i < x.size(); ++i) quotient(x[i], y[i], q[i]);
+}
 [[gnu::noinline]] void tight(const Interval& d, double& lower, bool& is) {
     is = detail::quotient_lower_tight(d, 4.0, 4.0, lower);
 }
@@ -48,4 +56,26 @@ TEST_CASE("each end of the interval stage's tail is the safe one", "[certificate
     CHECK_FALSE(detail::interval_sign(around, v));
     CHECK(detail::interval_sign(x, v));
     CHECK(v.sign == 1);
+}
+
+TEST_CASE("a quotient's lower bound is the largest double not above it", "[certificate]") {
+    testing::Random random(run_seed());
+    constexpr std::size_t n = 100000;
+    std::vector<double> x(n), y(n), q(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        x[i] = std::ldexp(testing::between(random, 0, 1), testing::integer(random, -300, 300));
+        y[i] = std::ldexp(testing::between(random, 0.5, 1), testing::integer(random, -300, 300));
+    }
+    {
+        const Rounding_guard guard(FE_UPWARD);
+        quotients(x, y, q);
+    }
+    // The residue of a product and a sum in one rounding has the sign of the true one.
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool below = std::fma(q[i], y[i], -x[i]) <= 0;
+        const bool next_above =
+            std::fma(std::nextafter(q[i], std::numeric_limits<double>::infinity()), y[i], -x[i]) > 0;
+        if (!below || !next_above) FAIL(x[i] << " / " << y[i]);
+    }
+    SUCCEED();
 }

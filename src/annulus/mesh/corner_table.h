@@ -43,7 +43,8 @@ namespace annulus::inline v1 {
 /// `opposite(h)` are the opposite corners of the bi-cell (the picture: 2D).
 ///
 /// A facet has the index of the lesser of its two half-facets, which changes with its cells; nothing is stored for
-/// facets. Cells are positively oriented (predicate/filtered_3.h). All operations are O(1) unless they say otherwise.
+/// facets. Cells are positively oriented (predicate/filtered_3.h). Functions of one
+/// cell or corner are O(1), new_cell and free_cell amortised; those of all are O(n).
 template <int d>
 class Corner_table {
   public:
@@ -216,6 +217,7 @@ class Corner_table {
     */
     /// 2D: replaces the edge opposite to corner h by the other diagonal of its bi-cell. Precondition: the opposite
     /// vertices are not adjacent. proofs/coq/plane_table.v has it corner by corner. In the picture t = twin(h).
+    /// Infinity is a vertex like any other. h and t keep their vertices; ccw(h) and ccw(t) then name the new edge p q.
     void flip(Corner_index h);
 
   private:
@@ -276,7 +278,7 @@ Cell_index Corner_table<d>::new_cell() {
     } else {
         c = cell_bound();
         if (c.value() >= Limits::cells) throw_too_large();
-        grow(vertex_, vertex_.size() + 4, none);
+        grow(vertex_, twin_.size() + 4, none);
         grow(twin_, twin_.size() + 4, no_corner);
     }
     return c;
@@ -284,9 +286,9 @@ Cell_index Corner_table<d>::new_cell() {
 
 template <int d>
 void Corner_table<d>::free_cell(Cell_index c) {
+    free_cells_.push_back(c);  // first, because it may throw
     record(c);
     vertex_[corner(c, 0)] = none;
-    free_cells_.push_back(c);
 }
 
 template <int d>

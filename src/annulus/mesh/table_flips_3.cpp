@@ -4,6 +4,7 @@
 #include <annulus/mesh/certificates.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace annulus::inline v1 {
 
@@ -45,54 +46,56 @@ bool flip_facet(Corner_table<3>& t, Corner_index h, std::array<Cell_index, 3>& m
 }
 
 bool flip_edge(Corner_table<3>& t, Corner_index h, Corner_index k, std::array<Cell_index, 3>& made) {
+    assert(h != k && t.cell_of(h) == t.cell_of(k));
     Cell_sites<3> x = facet_and_vertex(t, h);
     while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [a, b, c, q] = x;
     const Site<3> p = t.opposite(h);
-    const Cell_index one = t.cell_of(h);
-    const Cell_index other = t.cell_of(t.twin(h));
-    const Corner_index over_one = beyond(t, one, c);
-    const Cell_index third = t.cell_of(over_one);
-    if (p == q || third == one || third == other || t.site(over_one) != p) return false;
-    if (t.cell_of(beyond(t, other, c)) != third || beyond(t, third, q) != t.corner(other, t.slot(other, c)))
+    const Cell_index cell_q = t.cell_of(h);
+    const Cell_index cell_p = t.cell_of(t.twin(h));
+    const Corner_index beyond_q = beyond(t, cell_q, c);
+    const Cell_index cell_pq = t.cell_of(beyond_q);
+    if (p == q || cell_pq == cell_q || cell_pq == cell_p || t.site(beyond_q) != p) return false;
+    if (t.cell_of(beyond(t, cell_p, c)) != cell_pq || beyond(t, cell_pq, q) != t.corner(cell_p, t.slot(cell_p, c)))
         return false;
-    const std::array<Corner_index, 3> at_a{beyond(t, one, a), beyond(t, third, a), beyond(t, other, a)};
-    const std::array<Corner_index, 3> at_b{beyond(t, one, b), beyond(t, third, b), beyond(t, other, b)};
+    const std::array<Corner_index, 3> at_a{beyond(t, cell_q, a), beyond(t, cell_pq, a), beyond(t, cell_p, a)};
+    const std::array<Corner_index, 3> at_b{beyond(t, cell_q, b), beyond(t, cell_pq, b), beyond(t, cell_p, b)};
     const auto goes = [&](Corner_index out) {
         const Cell_index n = t.cell_of(out);
-        return n == one || n == other || n == third;
+        return n == cell_q || n == cell_p || n == cell_pq;
     };
     if (std::any_of(at_a.begin(), at_a.end(), goes) || std::any_of(at_b.begin(), at_b.end(), goes)) return false;
-    t.free_cell(third);
-    made = {one, other, third};
-    fill(t, one, {c, q, p, b});
-    fill(t, other, {q, c, p, a});
-    constexpr std::array<int, 3> in_one{2, 0, 1};
-    constexpr std::array<int, 3> in_other{2, 1, 0};
+    t.free_cell(cell_pq);
+    made = {cell_q, cell_p, cell_pq};
+    fill(t, cell_q, {c, q, p, b});
+    fill(t, cell_p, {q, c, p, a});
+    constexpr std::array<int, 3> in_q{2, 0, 1};
+    constexpr std::array<int, 3> in_p{2, 1, 0};
     for (std::size_t i = 0; i < 3; ++i) {
-        t.set_adjacency(t.corner(one, in_one[i]), at_a[i]);
-        t.set_adjacency(t.corner(other, in_other[i]), at_b[i]);
+        t.set_adjacency(t.corner(cell_q, in_q[i]), at_a[i]);
+        t.set_adjacency(t.corner(cell_p, in_p[i]), at_b[i]);
     }
-    t.set_adjacency(t.corner(one, 3), t.corner(other, 3));
+    t.set_adjacency(t.corner(cell_q, 3), t.corner(cell_p, 3));
     return true;
 }
 
 std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k) {
+    assert(h != k && t.cell_of(h) == t.cell_of(k));
     Cell_sites<3> x = facet_and_vertex(t, h);
     while (x[2] != t.site(k)) x = {x[1], x[2], x[0], x[3]};
     const auto [u, w, c, q] = x;
     const Site<3> p = t.opposite(h);
     const Cell_index cell_q = t.cell_of(h);
     const Cell_index cell_p = t.cell_of(t.twin(h));
-    const Corner_index over_q = beyond(t, cell_q, c);
-    const Corner_index over_p = beyond(t, cell_p, c);
-    const Site<3> r = t.site(over_q);
-    const Cell_index one = t.cell_of(over_q);
-    const Cell_index other = t.cell_of(over_p);
-    if (r != t.site(over_p) || one == cell_p || one == other || other == cell_q || r == c || p == q)
+    const Corner_index beyond_q = beyond(t, cell_q, c);
+    const Corner_index beyond_p = beyond(t, cell_p, c);
+    const Site<3> r = t.site(beyond_q);
+    const Cell_index cell_qr = t.cell_of(beyond_q);
+    const Cell_index cell_pr = t.cell_of(beyond_p);
+    if (r != t.site(beyond_p) || cell_qr == cell_p || cell_qr == cell_pr || cell_pr == cell_q || r == c || p == q)
         return std::nullopt;
-    if (t.cell_of(beyond(t, one, q)) != other) return std::nullopt;
-    const std::array<Cell_index, 4> gone{cell_q, cell_p, one, other};
+    if (t.cell_of(beyond(t, cell_qr, q)) != cell_pr) return std::nullopt;
+    const std::array<Cell_index, 4> gone{cell_q, cell_p, cell_qr, cell_pr};
     for (const Cell_index cell : gone)
         for (const Site<3> v : {u, w})
             if (std::find(gone.begin(), gone.end(), t.cell_of(beyond(t, cell, v))) != gone.end()) return std::nullopt;

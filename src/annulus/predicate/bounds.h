@@ -6,11 +6,11 @@ namespace annulus::inline v1::bounds {
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.
 inline constexpr double u = 0x1p-53;
 
-// Forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
+// Upper bounds of the forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
 // magnitude. For any other magnitude m they hold as the constant times u m^k, where k is the degree of the
 // determinant, because the proofs use only the relative error of each operation. (A bound proved for the unit box in
 // binary64 as such would hold for powers of two only: an ulp below 1 is half of one above; orientation reaches 8 u m^2
-// at m = 1 + 2^-22.)
+// at m = 1 + 2^-22.) proofs/check compares the constants with the scripts, and Gappa refuses each one lowered by 1 or 2.
 
 // In 2D: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 
@@ -68,9 +68,9 @@ inline constexpr double filter_slack = 0x1p-10;
 /// because recomputed tolerances are promised to a fifth of a per cent.
 inline constexpr double interval_slack = 0x1p-10;
 
-/// The filter works on unscaled differences whose largest magnitude m is in [1 / filter_range, filter_range]. Then m^6
-/// and u m^8 are normal numbers and the absolute bounds above absorb every underflow. Outside this range the interval
-/// stage scales. In 3D the squares of the norms have degree 8.
+/// The filter works on unscaled differences whose largest magnitude m is in [1 / filter_range, filter_range]. There
+/// nothing overflows, and the absolute bounds above absorb every underflow: docs/theory.md 4.1, proofs/gappa/tail_2.g,
+/// tail_3.g. Outside this range the interval stage scales. In 3D the squares of the norms have degree 8.
 inline constexpr double filter_range = 0x1p120;
 inline constexpr double filter_range_3 = 0x1p100;
 

@@ -13,13 +13,6 @@ namespace annulus::inline v1 {
 
 namespace detail {
 
-/// Accepts the rounded terms of a certificate: decide() on one of them.
-[[nodiscard]] inline bool accept(const Width_terms<double>& t, double det_error, double norm_error, bool certified,
-                                 Certificate_value& out) {
-    const auto d = decide(t.determinant, std::sqrt(t.inner) + std::sqrt(t.outer), det_error, norm_error, certified);
-    return answer(d.sign, d.tolerance, out);
-}
-
 /// The filter stage of an orientation, from the rounded differences of its points: u = x1 - x0, v = x2 - x0,
 /// w = x2 - x1.
 template <class V>
@@ -64,7 +57,8 @@ template <class V>
 }
 
 /// Filter stage of the empty circle of an edge: x = {a, b, p, q}, p right of ab, q left of it. Positive when the
-/// circle through a, b, q leaves p strictly outside. Returns false as orientation_filter does.
+/// circle through a, b, q leaves p strictly outside. Precondition: p is right of ab, q left of it; otherwise the sign is
+/// that of the determinant. Returns false as orientation_filter does.
 ///
 /// The rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h,
 /// proofs/gappa/certificates_2.g.
@@ -80,7 +74,7 @@ template <class V>
 [[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<2, 3>& x, Certificate_value& out);
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out);
 
-/// Exact stage: always answers. Microseconds.
+/// Exact stage: always answers, with the largest double not above the truth. Microseconds.
 [[nodiscard]] Certificate_value orientation_exact(const Tuple<2, 3>& x);
 [[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<2, 4>& x);
 

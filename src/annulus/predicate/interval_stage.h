@@ -56,7 +56,7 @@ template <std::size_t d, std::size_t k, class Evaluate>
     return std::sqrt(x.lower()) + std::sqrt(y.lower());
 }
 
-/// x / y, a lower bound; x, y >= 0.
+/// x / y, a lower bound: -x / y, rounded upward, is at least -(x / y). Preconditions: x >= 0, y > 0, upward rounding.
 [[nodiscard]] inline double quotient_lower(double x, double y) { return -(-x / y); }
 
 /// Whether the ends of a positive number are as near to one another as the interval stage promises. The allowed
