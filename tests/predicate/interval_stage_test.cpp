@@ -13,7 +13,7 @@ namespace {
 [[gnu::noinline]] void roots(const Interval& x, const Interval& y, double& r) { r = detail::roots_upper(x, y); }
 [[gnu::noinline]] void quotient(const double& x, const double& y, double& r) { r = detail::quotient_lower(x, y); }
 [[gnu::noinline]] void tight(const Interval& d, double& lower, bool& is) {
-    is = detail::quotient_lower_tight(d, 4.0, 4.0, lower);
+    is = detail::quotient_lower_in_slack(d, 4.0, 4.0, lower);
 }
 [[gnu::noinline]] void unscaled(const double& x, const detail::Scale& s, double& r) {
     r = detail::unscaled_lower(x, s);
