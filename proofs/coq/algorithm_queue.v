@@ -8,7 +8,7 @@
    - queue_runs_dry       with n rounds the queue is empty
    - all_pass             and then every vertex passes: it is at its fixed position, or D < epsilon (passes_means)
    - processed_moves      calls one after another: processed in all <= vertices off their fixed positions at first + calls;
-                          a timestamp that moves each of n vertices once relocates at most 2n times, k of them (k + 1) n times
+                          a time step that moves each of n vertices once relocates at most 2n times, k of them (k + 1) n times
 
    The oracle is any function: which certificates are evaluated, at the moving or at the fixed positions, flipped or reinserted, does
    not matter here. So this is true of the paper's algorithm (fixed positions, relocation) and of ours. *)
@@ -290,9 +290,9 @@ Lemma number_off_le : forall s, number_off s <= n.
 Proof. intro s. apply NoDup_incl_length; [apply NoDup_filter, distinct|]. intros v H. apply filter_In in H. apply H. Qed.
 
 (* The paper's 2n, and what it amounts to in the long run. *)
-Corollary timestamp : forall moves s t k, at_rest s -> length moves <= n -> calls s moves = (t, k) -> k <= 2 * n.
+Corollary time_step : forall moves s t k, at_rest s -> length moves <= n -> calls s moves = (t, k) -> k <= 2 * n.
 Proof. intros moves s t k T L E. destruct (processed_moves _ _ _ _ T E) as [_ B]. generalize (number_off_le s). lia. Qed.
 
-Corollary timestamps : forall times moves s t k, at_rest s -> length moves <= times * n -> calls s moves = (t, k) -> k <= (times + 1) * n.
+Corollary time_steps : forall times moves s t k, at_rest s -> length moves <= times * n -> calls s moves = (t, k) -> k <= (times + 1) * n.
 Proof. intros times moves s t k T L E. destruct (processed_moves _ _ _ _ T E) as [_ B]. generalize (number_off_le s). lia. Qed.
 End queue.
