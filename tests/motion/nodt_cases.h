@@ -5,6 +5,7 @@
 #include <annulus/moving_delaunay_3.h>
 #include <apps/motion/cells_3.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -34,5 +35,17 @@ inline Points body_centred(int n, double scale) {
                     points.push_back({scale * (i + half), scale * (j + half), scale * (k + half)});
     return points;
 }
+
+// Vectors in long double, for the definition of targets and energies.
+using Real = long double;
+using Vector = std::array<Real, 3>;
+
+inline Vector minus(const Coordinates<3>& a, const Coordinates<3>& b) {
+    return {Real{a[0]} - b[0], Real{a[1]} - b[1], Real{a[2]} - b[2]};
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 }  // namespace annulus_test

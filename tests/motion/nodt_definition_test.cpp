@@ -26,17 +26,6 @@ using namespace annulus_test;
 
 namespace {
 
-using Real = long double;
-using Vector = std::array<Real, 3>;
-
-Vector minus(const Coordinates<3>& a, const Coordinates<3>& b) {
-    return {Real{a[0]} - b[0], Real{a[1]} - b[1], Real{a[2]} - b[2]};
-}
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Solves for the point whose products with three rows are given (Cramer).
 Vector solve(const Vector& r0, const Vector& r1, const Vector& r2, const Vector& b) {
     const Real det = dot(r0, cross(r1, r2));

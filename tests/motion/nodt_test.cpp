@@ -49,7 +49,7 @@ TEST_CASE("the body-centred lattice is a fixed point, and locks where its angles
     const Nodt_step all =
         Nodt_3(ball, Sizing_3(ball), vertices_on_surface(ball, points), 59.9).step(after, inside_after, moved, target);
     std::set<Index> near;
-    for (const auto& c : after.vertex)
+    for (const auto& c : after.vertices)
         if (std::find(c.begin(), c.end(), static_cast<Index>(spoilt)) != c.end()) near.insert(c.begin(), c.end());
     std::size_t locked = 0;
     for (std::size_t v = 0; v < points.size(); ++v) {

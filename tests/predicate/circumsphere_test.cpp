@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sphere of a cell against rational numbers, and where its error bounds matter: next to a change of sign, and at the
-// ends of their range.
+// The sphere of a cell against rational numbers, and where its error bounds matter: next to a change of sign, and at
+// the ends of their range.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
