@@ -10,9 +10,8 @@
 #include <apps/formats/read_points.h>
 #include <apps/formats/read_surface.h>
 #include <apps/formats/read_tetrahedra.h>
-
-#include <unistd.h>
-#include <zlib.h>
+#include <common/largest_allocation.h>
+#include <common/scratch_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,36 +26,13 @@
 #include <string_view>
 #include <vector>
 
-#ifdef __has_feature
-#if __has_feature(address_sanitizer)
-#define ANNULUS_COUNTS_MEMORY
-#endif
-#endif
-#ifdef ANNULUS_COUNTS_MEMORY
-#include <sanitizer/allocator_interface.h>
-#endif
-
 namespace {
 
 using namespace annulus;
 namespace fs = std::filesystem;
-
-/// Bytes allocated since the last reset, now and at the most. Always 0 without the sanitizer.
-struct Memory {
-    static inline std::size_t now = 0, peak = 0;
-    static void reset() { now = peak = 0; }
-#ifdef ANNULUS_COUNTS_MEMORY
-    static void taken(const volatile void*, std::size_t size) {
-        now += size;
-        peak = std::max(peak, now);
-    }
-    static void given(const volatile void* p) {
-        if (p == nullptr) return;
-        now -= std::min(now, __sanitizer_get_allocated_size(p));
-    }
-    static inline const int installed = __sanitizer_install_malloc_and_free_hooks(taken, given);
-#endif
-};
+using annulus::fuzz::gzip;
+using annulus::fuzz::Memory;
+using annulus::fuzz::Scratch;
 
 void require(bool holds, const char* promise) {
     if (holds) return;
@@ -282,41 +258,6 @@ constexpr Kind kinds[] = {
     {".txt", motion<Absent_frames::skip>},    // Y
 };
 constexpr unsigned packed_bytes = 15;
-
-std::string gzip(std::string_view text) {
-    z_stream s{};
-    require(deflateInit2(&s, 1, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK, "zlib");
-    std::string out(deflateBound(&s, text.size()), '\0');
-    std::string in(text);
-    s.next_in = reinterpret_cast<Bytef*>(in.data());
-    s.avail_in = static_cast<uInt>(in.size());
-    s.next_out = reinterpret_cast<Bytef*>(out.data());
-    s.avail_out = static_cast<uInt>(out.size());
-    require(deflate(&s, Z_FINISH) == Z_STREAM_END, "zlib");
-    out.resize(s.total_out);
-    deflateEnd(&s);
-    return out;
-}
-
-/// A directory of this process, removed at its end.
-class Scratch {
-  public:
-    Scratch() : path_(fs::temp_directory_path() / ("annulus-fuzz-readers-" + std::to_string(::getpid()))) {
-        fs::create_directories(path_);
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    fs::path file(const std::string& name, std::string_view content) const {
-        fs::path path = path_ / name;
-        std::ofstream(path, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-        return path;
-    }
-
-  private:
-    fs::path path_;
-};
 
 }  // namespace
 

@@ -4,7 +4,7 @@
    - set_room_protects       a threshold from the earliest expiry of a list protects all that the list knows
    - verdicts_committed      all that was evaluated: every certificate is good but for thresholds *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep.
 Import ListNotations.
 Open Scope R_scope.
 

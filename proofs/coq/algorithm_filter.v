@@ -1,15 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The strategy `tolerances`, here `filter` (docs/theory.md 5.1 and 5.2; src/annulus/engine/tolerance_strategy*.cpp, displacement_budget*.cpp), as a
-   program: odometers (displacement budgets), expiries, lists, what is looked at, what is written, rebase, undoing. Definitions only:
+   program: displacement budgets (displacement budgets), expiries, lists, what is looked at, what is written, rebase, undoing. Definitions only:
    algorithm_step.v proves what they keep, algorithm_run.v what follows for any sequence of calls.
 
-   Functions do what those of the code do, one after another. Expiries are the 32 bits of the code (high_word.v), lists those of
+   Functions do what those of the code do, one after another. Expiries are the 32 bits of the code (truncated_double.v), lists those of
    algorithm_list.v. What the program is given is in the classes below: positions of any metric space, arithmetic that errs on the side that is named
    (`laws`; filter_doubles.v shows that of the code), certificates and what a tolerance promises (`evaluated`), and Repair, which
    may do anything to the mesh that `repaired` allows. Of a record `reference`, `origin` and `allowance` are not in the code: they say what
    its expiries mean, and nothing is computed from them. *)
 Require Import Reals ZArith List Bool.
-From Annulus Require Import algorithm_list high_word.
+From Annulus Require Import algorithm_list truncated_double.
 From Annulus Require Export updated.
 Import ListNotations.
 Open Scope R_scope.
@@ -33,13 +33,13 @@ Class world := {
   zero : num;
   valid : position -> Prop;                          (* in the coordinate domain *)
   number : num -> Prop;                              (* a double *)
-  reading_of : num -> position -> position -> num;   (* base, fixed, moving *)
+  path_length_of : num -> position -> position -> num;   (* base, fixed, moving *)
   below : position -> position -> num -> bool;       (* the comparison of squares with a threshold *)
   threshold : Z -> num -> num;                       (* earliest, base *)
   sum_lower : num -> num -> num;
   less : Z -> num -> num;                            (* what is left of an expiry, rounded down *)
   half : num -> Z;                                   (* Expiry::lower *)
-  worn : num -> expiry_list -> bool }.               (* whether an odometer is to start again: commit() *)
+  worn : num -> expiry_list -> bool }.               (* whether a displacement budget is to start again: commit() *)
 Coercion real : num >-> R.
 
 Section program.
@@ -59,8 +59,8 @@ Class laws := {
   real_zero : real zero = 0;
   number_zero : number zero;
   half_lower : forall b : num, half b = lower b;
-  reading_above : forall b f p, number b -> 0 <= b -> valid f -> valid p ->
-    number (reading_of b f p) /\ b + dist f p <= reading_of b f p;
+  path_length_above : forall b f p, number b -> 0 <= b -> valid f -> valid p ->
+    number (path_length_of b f p) /\ b + dist f p <= path_length_of b f p;
   threshold_below : forall e b f p, (0 <= e <= never)%Z -> number b -> 0 <= b -> valid f -> valid p ->
     below f p (threshold e b) = true -> b + dist f p < value e;
   sum_lower_below : forall b t, number b -> number t -> 0 <= b -> 0 <= t -> sum_lower b t <= b + t;
@@ -76,7 +76,7 @@ Definition sound (c : certificate) (reference : placement) (allowance : R) : Pro
 
 (* ---- State ---- *)
 
-Record odometer := {
+Record budget := {
   fixed : position;
   base : num;                 (* length of the path of fixed positions since it was 0, or more *)
   room : num;                 (* threshold of the step test *)
@@ -89,7 +89,7 @@ Record written := {
   allowance : R }.
 Record state := {
   moving : placement;
-  at_ : vertex -> odometer;
+  at_ : vertex -> budget;
   mesh : Z -> option certificate;
   record : Z -> written;
   epoch : Z;                  (* the stamp of this step: stamp_ *)
@@ -99,14 +99,14 @@ Definition set_at (s : state) v o : state :=
   {| moving := moving s; at_ := set same_vertex (at_ s) v o; mesh := mesh s; record := record s; epoch := epoch s; anchored := anchored s |}.
 Definition set_record (s : state) i r : state :=
   {| moving := moving s; at_ := at_ s; mesh := mesh s; record := set Z.eq_dec (record s) i r; epoch := epoch s; anchored := anchored s |}.
-Definition set_listing (o : odometer) l : odometer :=
+Definition set_listing (o : budget) l : budget :=
   {| fixed := fixed o; base := base o; room := room o; listing := l; stamp := stamp o |}.
-Definition set_stamp (o : odometer) e : odometer :=
+Definition set_stamp (o : budget) e : budget :=
   {| fixed := fixed o; base := base o; room := room o; listing := listing o; stamp := e |}.
-Definition set_room (o : odometer) : odometer :=   (* set_threshold *)
+Definition set_room (o : budget) : budget :=   (* set_threshold *)
   {| fixed := fixed o; base := base o; room := threshold (earliest (listing o)) (base o); listing := listing o; stamp := stamp o |}.
 
-Definition reading (s : state) (v : vertex) (p : position) : num := reading_of (base (at_ s v)) (fixed (at_ s v)) p.
+Definition path_length (s : state) (v : vertex) (p : position) : num := path_length_of (base (at_ s v)) (fixed (at_ s v)) p.
 Definition has (s : state) (i : Z) (v : vertex) : bool :=
   match mesh s i with Some c => if in_dec same_vertex v (points c) then true else false | None => false end.
 
@@ -126,27 +126,27 @@ Definition anchor (x : placement) (s : state) (v : vertex) : state :=
   if (stamp o =? epoch s)%Z then s
   else
     let t := set_at s v (if same_position (x v) (fixed o) then set_stamp o (epoch s)
-                         else {| fixed := x v; base := reading s v (x v); room := room o; listing := listing o; stamp := epoch s |}) in
+                         else {| fixed := x v; base := path_length s v (x v); room := room o; listing := listing o; stamp := epoch s |}) in
     {| moving := moving t; at_ := at_ t; mesh := mesh t; record := record t; epoch := epoch t; anchored := v :: anchored t |}.
 
 Definition is_expired (s : state) (i : Z) (v : vertex) : bool := has s i v && (expiry (record s i) v <=? half (base (at_ s v)))%Z.
-(* The list so far, suspects. *)
-Definition look_at s v (found : expiry_list * list Z) (i : Z) : expiry_list * list Z :=
-  let (l, suspects) := found in
+(* The list so far, pending certificates. *)
+Definition check_expiry s v (found : expiry_list * list Z) (i : Z) : expiry_list * list Z :=
+  let (l, pending) := found in
   if negb (has s i v) then found
-  else if is_expired s i v then (l, i :: suspects)
-  else (put i (expiry (record s i) v) l, suspects).
+  else if is_expired s i v then (l, i :: pending)
+  else (put i (expiry (record s i) v) l, pending).
 Definition own (s : state) (v : vertex) (i : Z) : Z := if has s i v then expiry (record s i) v else never.
-Definition tour s v (found : expiry_list * list Z) : expiry_list * list Z :=
+Definition visit_star s v (found : expiry_list * list Z) : expiry_list * list Z :=
   let (expired, others) := partition (fun i => is_expired s i v) (around (mesh s) v) in
-  let (l, suspects) := fold_left (look_at s v) expired (cleared capacity, snd found) in
-  (put_many capacity (map (fun i => (own s v i, i)) others) l, suspects).
+  let (l, pending) := fold_left (check_expiry s v) expired (cleared capacity, snd found) in
+  (put_many capacity (map (fun i => (own s v i, i)) others) l, pending).
 Definition examine (s : state) (v : vertex) : expiry_list * list Z :=
   let now := half (base (at_ s v)) in
-  if (rest (listing (at_ s v)) <=? now)%Z then tour s v (listing (at_ s v), []) else
+  if (rest (listing (at_ s v)) <=? now)%Z then visit_star s v (listing (at_ s v), []) else
   let (visited, l) := take now (listing (at_ s v)) in
-  let found := fold_left (look_at s v) visited (l, []) in
-  if (rest (fst found) <=? now)%Z then tour s v found else found.
+  let found := fold_left (check_expiry s v) visited (l, []) in
+  if (rest (fst found) <=? now)%Z then visit_star s v found else found.
 
 (* Those that failed are anchored, then looked at: which depends on no other list. *)
 Definition find_expired (s : state) (x : placement) (failed : list vertex) : state * list Z :=
@@ -167,11 +167,11 @@ Record evaluated (x : placement) (k : verdict) : Prop := {
   bound_sound : sound (of k) x (bound k);
   bound_pos : 0 <= bound k;
   bound_number : number (bound k) }.
-(* From mesh to mesh': what is neither evaluated nor changed was no suspect. *)
-Record repaired (x : placement) (old new : Z -> option certificate) (suspects : list Z) (verdicts : list verdict) : Prop := {
+(* From mesh to mesh': what is neither evaluated nor changed was not pending. *)
+Record repaired (x : placement) (old new : Z -> option certificate) (pending : list Z) (verdicts : list verdict) : Prop := {
   verdicts_right : forall k, In k verdicts -> new (id k) = Some (of k) /\ evaluated x k;
   others_untouched : forall i c, new i = Some c -> In i (map id verdicts) \/
-    (old i = Some c /\ ~ In i suspects);
+    (old i = Some c /\ ~ In i pending);
   all_ids : forall i c, new i = Some c -> is_id i;
   all_counted_on : forall i c d, new i = Some c -> counts_on d c -> exists j, new j = Some d }.
 
@@ -217,7 +217,7 @@ Definition fresh_point (i : Z) (t : num) (s : state) (v : vertex) : state :=
   set_at s v (set_listing (at_ s v) (put_new i (half (sum_lower (base (at_ s v)) t)) (listing (at_ s v)))).
 Definition write_fresh x (s : state) (k : verdict) : state :=
   set_written x (id k) (bound k) (fold_left (fresh_point (id k) (bound k)) (points (of k)) s).
-Definition settle (x : placement) (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
+Definition recompute (x : placement) (s : state) (m : Z -> option certificate) (verdicts : list verdict) : state :=
   let t := fold_left (write_fresh x) verdicts
     {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := [];
        at_ := fun v => {| fixed := x v; base := zero; room := zero; listing := cleared capacity; stamp := 0 |} |} in

@@ -3,12 +3,12 @@
 
    - good           of a certificate: what its record promises (sane), that its points are near its reference (close), that lists know it
                     (listed), that the test of a step asks for it (tested). An expiry is below what is allowed, or below the base: overdue, or clipped by rebase
-   - advance        what anchoring and writing do to all else: odometers go on, lists and tests keep what they know
+   - advance        what anchoring and writing do to all else: displacement budgets go on, lists and tests keep what they know
    - good_carried   so what is good stays good
    - anchor_advance, put_at_advance    two that do
    - evaluated_good a certificate that was evaluated at x, written down, is good *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -16,7 +16,7 @@ Section keep.
 Context {W : world} {L : laws}.
 Notation Valid x := (forall v, valid (x v)).
 
-(* Expiry::lower, with the names of high_word.v. *)
+(* Expiry::lower, with the names of truncated_double.v. *)
 Lemma half_range (b : num) : (0 <= half b <= never)%Z. Proof. rewrite half_lower. apply lower_range. Qed.
 Lemma half_below (b : num) : 0 <= b -> value (half b) <= b. Proof. rewrite half_lower. apply lower_below. Qed.
 Lemma half_clips (b : num) : b <= 0 -> half b = 0%Z. Proof. rewrite half_lower. apply lower_clips. Qed.
@@ -24,7 +24,7 @@ Lemma half_not_reached (b : num) e : 0 <= b -> (e <= never)%Z -> (half b < e)%Z 
 
 Definition fixed_of (s : state) : placement := fun v => fixed (at_ s v).
 Definition touched (s : state) (v : vertex) : Prop := stamp (at_ s v) = epoch s.
-Definition protects (o : odometer) (own : Z) : Prop :=
+Definition protects (o : budget) (own : Z) : Prop :=
   forall p, valid p -> below (fixed o) p (room o) = true -> base o + dist (fixed o) p < value own.
 Definition in_use (e : Z) : Prop := (0 <= e <= never)%Z.
 
@@ -54,7 +54,7 @@ Definition at_x (s : state) (x : placement) : Prop := forall v, touched s v -> f
 
 (* ---- What operations do to all else ---- *)
 
-Record follow (x : placement) (ids : Z -> Prop) (e : Z) (v : vertex) (o o' : odometer) : Prop := {
+Record follow (x : placement) (ids : Z -> Prop) (e : Z) (v : vertex) (o o' : budget) : Prop := {
   path_grows : (fixed o' = fixed o /\ base o' = base o) \/ (fixed o' = x v /\ base o + dist (fixed o) (x v) <= base o');
   stays_touched : stamp o = e -> stamp o' = e;
   keeps : forall j own, in_use own -> ~ ids j -> kept (listing o) j own ->
@@ -161,7 +161,7 @@ Qed.
 Lemma anchor_advance x s v : (forall w, fine s w) -> Valid x -> advance x (fun _ => False) s (anchor x s v).
 Proof.
   intros F X. unfold anchor. destruct (stamp (at_ s v) =? epoch s)%Z eqn:E; [now apply advance_refl|].
-  destruct (F v) as [B P X' P' S]. destruct (reading_above (base (at_ s v)) (fixed (at_ s v)) (x v) B P X' (X v)) as [R R'].
+  destruct (F v) as [B P X' P' S]. destruct (path_length_above (base (at_ s v)) (fixed (at_ s v)) (x v) B P X' (X v)) as [R R'].
   assert (Q := dist_nonneg (fixed (at_ s v)) (x v)).
   split; trivial; simpl.
   - intro w. unfold set. destruct (same_vertex v w) as [<-|_]; [|apply follow_refl].
@@ -172,7 +172,7 @@ Proof.
     + intros j own _ _ K. split; [exact K|now left].
   - intro w. destruct (F w) as [B1 P1 X1 P1' S1].
     split; simpl; unfold set; destruct (same_vertex v w) as [<-|_]; trivial; destruct (same_position _ _); simpl; trivial;
-      unfold reading; try lra; try lia.
+      unfold path_length; try lra; try lia.
   - intros A w. unfold touched. simpl. unfold set. destruct (same_vertex v w) as [<-|_].
     + intros _. destruct (same_position _ _) eqn:D; simpl; (split; [|now left]); [symmetry; now apply same_position_right|reflexivity].
     + intro T. destruct (A w T). now split; [|right].

@@ -7,7 +7,7 @@
 
    - run         a sequence of operations, with the numbers of the code, for traces
 
-   Expiries are compared as their bits; high_word.v shows that this is the order of the numbers. *)
+   Expiries are compared as their bits; truncated_double.v shows that this is the order of the numbers. *)
 Require Import ZArith List Sorting.Sorted Bool Lia.
 Import ListNotations.
 Open Scope Z_scope.
@@ -17,7 +17,7 @@ Definition none : Z := 2 ^ 32 - 1.       (* no id *)
 Definition entry (expiry id : Z) : Z := expiry * 2 ^ 32 + id.
 Definition expiry_of (e : Z) : Z := Z.shiftr e 32.
 Definition id_of (e : Z) : Z := Z.land e none.
-Definition vacant : Z := entry never none.
+Definition empty_entry : Z := entry never none.
 Definition is_id (i : Z) : Prop := 0 <= i < none.
 
 Record expiry_list := { entries : list Z; rest : Z }.
@@ -27,9 +27,9 @@ Record expiry_list := { entries : list Z; rest : Z }.
 Section program.
 Variable capacity : nat.
 
-Definition cleared : expiry_list := {| entries := repeat vacant capacity; rest := never |}.
+Definition cleared : expiry_list := {| entries := repeat empty_entry capacity; rest := never |}.
 
-Definition earliest (l : expiry_list) : Z := Z.min (rest l) (expiry_of (hd vacant (entries l))).
+Definition earliest (l : expiry_list) : Z := Z.min (rest l) (expiry_of (hd empty_entry (entries l))).
 
 (* put_new: the entry goes through the array and is exchanged with whatever is above it. *)
 Fixpoint exchange (moving : Z) (l : list Z) : list Z * Z :=
@@ -46,7 +46,7 @@ Definition put_new (id expiry : Z) (l : expiry_list) : expiry_list :=
 Fixpoint close_gap (id : Z) (found : bool) (l : list Z) : list Z :=
   match l with
   | [] => []
-  | e :: l' => let found := found || (id_of e =? id) in (if found then hd vacant l' else e) :: close_gap id found l'
+  | e :: l' => let found := found || (id_of e =? id) in (if found then hd empty_entry l' else e) :: close_gap id found l'
   end.
 Definition is_listed (id : Z) (l : expiry_list) : bool := existsb (fun e => id_of e =? id) (entries l).
 Definition put (id expiry : Z) (l : expiry_list) : expiry_list :=
@@ -74,25 +74,25 @@ Definition bound_of (expiries : list Z) : Z :=
 Definition put_many (new : list (Z * Z)) (l : expiry_list) : expiry_list :=
   fold_left (put_below (bound_of (map fst new))) new l.
 
-(* take_reached, for a reading whose bits are `reading`: the ids it visits, and what stays. *)
-Definition is_reached (reading e : Z) : bool := (e <? (reading + 1) * 2 ^ 32) && (e <? vacant).
-Definition take (reading : Z) (l : expiry_list) : list Z * expiry_list :=
-  let count := length (filter (is_reached reading) (entries l)) in
-  (map id_of (firstn count (entries l)), {| entries := skipn count (entries l) ++ repeat vacant count; rest := rest l |}).
+(* take_reached, for a path length whose bits are `path_length`: the ids it visits, and what stays. *)
+Definition is_reached (path_length e : Z) : bool := (e <? (path_length + 1) * 2 ^ 32) && (e <? empty_entry).
+Definition take (path_length : Z) (l : expiry_list) : list Z * expiry_list :=
+  let count := length (filter (is_reached path_length) (entries l)) in
+  (map id_of (firstn count (entries l)), {| entries := skipn count (entries l) ++ repeat empty_entry count; rest := rest l |}).
 End program.
 
 (* ---- It can be run: ids and expiries (bits) in, bits out ---- *)
 
-Inductive operation := Clear | Put (id expiry : Z) | Put_new (id expiry : Z) | Put_many (new : list (Z * Z)) | Take (reading : Z).
+Inductive operation := Clear | Put (id expiry : Z) | Put_new (id expiry : Z) | Put_many (new : list (Z * Z)) | Take (path_length : Z).
 Definition apply_operation (capacity : nat) (l : expiry_list) (o : operation) : expiry_list :=
   match o with
   | Clear => cleared capacity
   | Put id expiry => put id expiry l
   | Put_new id expiry => put_new id expiry l
   | Put_many new => put_many capacity new l
-  | Take reading => snd (take reading l)
+  | Take path_length => snd (take path_length l)
   end.
 (* rest, then the entries in use: (expiry, id). *)
 Definition shown (l : expiry_list) : Z * list (Z * Z) :=
-  (rest l, map (fun e => (expiry_of e, id_of e)) (filter (fun e => negb (e =? vacant)) (entries l))).
+  (rest l, map (fun e => (expiry_of e, id_of e)) (filter (fun e => negb (e =? empty_entry)) (entries l))).
 Definition run (capacity : nat) (os : list operation) : Z * list (Z * Z) := shown (fold_left (apply_operation capacity) os (cleared capacity)).

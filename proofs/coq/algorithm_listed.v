@@ -87,14 +87,14 @@ Qed.
 Lemma close_gap_length id l : forall found, length (close_gap id found l) = length l.
 Proof. induction l as [|e l IH]; intro found; simpl; [reflexivity|]. now rewrite IH. Qed.
 
-Lemma close_gap_in id l : forall found e, In e (close_gap id found l) -> In e l \/ e = vacant.
+Lemma close_gap_in id l : forall found e, In e (close_gap id found l) -> In e l \/ e = empty_entry.
 Proof.
   induction l as [|x l IH]; intros found e; simpl; [tauto|]. intros [H|H]; [|destruct (IH _ _ H); tauto].
   destruct (found || _); [|tauto]. destruct l; simpl in *; [right|]; intuition.
 Qed.
 
 (* All but one entry of `id` stay. *)
-Lemma close_gap_others id l : forall found e, In e l -> id_of e <> id -> In e (close_gap id found l) \/ (found = true /\ hd vacant l = e).
+Lemma close_gap_others id l : forall found e, In e l -> id_of e <> id -> In e (close_gap id found l) \/ (found = true /\ hd empty_entry l = e).
 Proof.
   induction l as [|x l IH]; intros found e; simpl; [tauto|]. intros [->|H] N.
   - destruct found; [right; split; reflexivity|]. left. left.
@@ -102,7 +102,7 @@ Proof.
   - left. destruct (IH (found || (id_of x =? id)) e H N) as [K|[K E]]; [now right|left]. now rewrite K.
 Qed.
 
-Lemma close_gap_ordered id l : forall found, (forall e, In e l -> e <= vacant) -> ordered l -> ordered (close_gap id found l).
+Lemma close_gap_ordered id l : forall found, (forall e, In e l -> e <= empty_entry) -> ordered l -> ordered (close_gap id found l).
 Proof.
   induction l as [|x l IH]; intros found V O; simpl; [constructor|]. inversion O as [|? ? O' B]; subst. rewrite Forall_forall in B.
   constructor; [apply IH; [intros e H; apply V; now right|exact O']|]. apply Forall_forall. intros e H.
@@ -116,15 +116,15 @@ Proof.
 Qed.
 
 (* Nothing is above an empty place. *)
-Definition in_range (l : expiry_list) : Prop := 0 <= rest l /\ forall e, In e (entries l) -> 0 <= e <= vacant.
+Definition in_range (l : expiry_list) : Prop := 0 <= rest l /\ forall e, In e (entries l) -> 0 <= e <= empty_entry.
 
-Lemma entry_range expiry id : is_id id -> 0 <= expiry <= never -> 0 <= entry expiry id <= vacant.
-Proof. unfold vacant, entry, is_id, none. nia. Qed.
+Lemma entry_range expiry id : is_id id -> 0 <= expiry <= never -> 0 <= entry expiry id <= empty_entry.
+Proof. unfold empty_entry, entry, is_id, none. nia. Qed.
 
 Lemma put_new_range id expiry l : is_id id -> 0 <= expiry <= never -> in_range l -> in_range (put_new id expiry l).
 Proof.
   intros I N [A B]. unfold put_new. destruct (exchange (entry expiry id) (entries l)) as [m out] eqn:E.
-  assert (C : forall e, In e m \/ e = out -> 0 <= e <= vacant).
+  assert (C : forall e, In e m \/ e = out -> 0 <= e <= empty_entry).
   { intros e H. destruct (exchange_in _ _ _ _ E e) as [_ K]. destruct (K H) as [<-|K']; [now apply entry_range|now apply B]. }
   split; simpl.
   - apply Z.min_glb; [exact A|]. rewrite upper_half. apply Z.div_pos; [now apply C; right|lia].
@@ -142,7 +142,7 @@ Proof.
   apply put_new_proper; trivial. split; [split|split]; simpl; trivial.
   - now rewrite close_gap_length.
   - apply close_gap_ordered; [intros e H; now apply B|exact C].
-  - intros e H. apply close_gap_in in H. destruct H as [H| ->]; [now apply B|unfold vacant, entry, never, none; lia].
+  - intros e H. apply close_gap_in in H. destruct H as [H| ->]; [now apply B|unfold empty_entry, entry, never, none; lia].
 Qed.
 
 Theorem put_kept id expiry l i own : is_id id -> (i <> id /\ kept l i own) \/ (i = id /\ expiry <= own) -> kept (put id expiry l) i own.
@@ -156,7 +156,7 @@ Qed.
 Lemma repeat_in {A} (x y : A) n : In y (repeat x n) -> y = x.
 Proof. apply repeat_spec. Qed.
 
-Lemma ordered_vacant l n : (forall e, In e l -> e <= vacant) -> ordered l -> ordered (l ++ repeat vacant n).
+Lemma ordered_empty l n : (forall e, In e l -> e <= empty_entry) -> ordered l -> ordered (l ++ repeat empty_entry n).
 Proof.
   intros V. induction 1 as [|x l O IH B]; simpl.
   - induction n as [|n IH]; simpl; constructor; [exact IH|]. apply Forall_forall. intros y H. apply repeat_in in H. lia.
@@ -168,9 +168,9 @@ Theorem cleared_proper : proper cleared.
 Proof.
   split; [split|split]; simpl.
   - apply repeat_length.
-  - change (repeat vacant capacity) with ([] ++ repeat vacant capacity). apply ordered_vacant; [intros _ []|constructor].
+  - change (repeat empty_entry capacity) with ([] ++ repeat empty_entry capacity). apply ordered_empty; [intros _ []|constructor].
   - unfold never. lia.
-  - intros e H. apply repeat_in in H. subst. unfold vacant, entry, never, none. lia.
+  - intros e H. apply repeat_in in H. subst. unfold empty_entry, entry, never, none. lia.
 Qed.
 
 Lemma put_below_kept bound l x i own : is_id (snd x) -> kept l i own \/ (i = snd x /\ fst x <= own) -> kept (put_below bound l x) i own.
@@ -205,67 +205,67 @@ Proof.
 Qed.
 
 (* What is below a bound comes first. *)
-Lemma reached_first reading l : ordered l ->
-  firstn (length (filter (is_reached reading) l)) l = filter (is_reached reading) l /\
-  skipn (length (filter (is_reached reading) l)) l = filter (fun e => negb (is_reached reading e)) l.
+Lemma reached_first path_length l : ordered l ->
+  firstn (length (filter (is_reached path_length) l)) l = filter (is_reached path_length) l /\
+  skipn (length (filter (is_reached path_length) l)) l = filter (fun e => negb (is_reached path_length e)) l.
 Proof.
-  induction 1 as [|x l O [IH IH'] B]; simpl; [easy|]. destruct (is_reached reading x) eqn:R; simpl; [rewrite IH, IH'; easy|].
-  assert (N : forall e, In e l -> is_reached reading e = false).
+  induction 1 as [|x l O [IH IH'] B]; simpl; [easy|]. destruct (is_reached path_length x) eqn:R; simpl; [rewrite IH, IH'; easy|].
+  assert (N : forall e, In e l -> is_reached path_length e = false).
   { intros e H. rewrite Forall_forall in B. specialize (B e H). unfold is_reached in *. apply andb_false_iff in R. apply andb_false_iff.
     destruct R as [R|R]; [left|right]; apply Z.ltb_ge in R; apply Z.ltb_ge; lia. }
-  assert (E : filter (is_reached reading) l = []).
+  assert (E : filter (is_reached path_length) l = []).
   { clear - N. induction l as [|y l IH]; simpl; [easy|]. rewrite N by now left. apply IH. intros; apply N; now right. }
   rewrite E in *. simpl in *. now rewrite <- IH'.
 Qed.
 
-Lemma take_proper reading l : proper l -> proper (snd (take reading l)).
+Lemma take_proper path_length l : proper l -> proper (snd (take path_length l)).
 Proof.
-  intros [[A O] [B0 B]]. unfold take. simpl. destruct (reached_first reading _ O) as [_ E].
-  assert (V : forall e, In e (skipn (length (filter (is_reached reading) (entries l))) (entries l)) -> 0 <= e <= vacant).
+  intros [[A O] [B0 B]]. unfold take. simpl. destruct (reached_first path_length _ O) as [_ E].
+  assert (V : forall e, In e (skipn (length (filter (is_reached path_length) (entries l))) (entries l)) -> 0 <= e <= empty_entry).
   { intros e H. rewrite E in H. apply filter_In in H. now apply B. }
-  assert (L : (length (filter (is_reached reading) (entries l)) <= length (entries l))%nat).
-  { clear. induction (entries l) as [|x m IH]; simpl; [lia|]. destruct (is_reached reading x); simpl; lia. }
+  assert (L : (length (filter (is_reached path_length) (entries l)) <= length (entries l))%nat).
+  { clear. induction (entries l) as [|x m IH]; simpl; [lia|]. destruct (is_reached path_length x); simpl; lia. }
   split; [split|split]; simpl; trivial.
   - rewrite app_length, repeat_length, skipn_length, <- A. lia.
-  - apply ordered_vacant; [intros e H; now apply V|]. rewrite E. clear - O. induction O as [|x m O IH F]; simpl; [constructor|].
+  - apply ordered_empty; [intros e H; now apply V|]. rewrite E. clear - O. induction O as [|x m O IH F]; simpl; [constructor|].
     destruct (negb _); [|exact IH]. constructor; [exact IH|]. rewrite Forall_forall in *. intros y H. apply filter_In in H. now apply F.
-  - intros e H. apply in_app_iff in H. destruct H as [H|H]; [now apply V|]. apply repeat_in in H. subst. unfold vacant, entry, never, none. lia.
+  - intros e H. apply in_app_iff in H. destruct H as [H|H]; [now apply V|]. apply repeat_in in H. subst. unfold empty_entry, entry, never, none. lia.
 Qed.
 
 (* What is not visited stays. *)
-Theorem take_kept reading l i own : proper l -> kept l i own -> In i (fst (take reading l)) \/ kept (snd (take reading l)) i own.
+Theorem take_kept path_length l i own : proper l -> kept l i own -> In i (fst (take path_length l)) \/ kept (snd (take path_length l)) i own.
 Proof.
-  intros [[_ O] _] [(e & A & B & C)|H]; [|right; now right]. unfold take. simpl. destruct (reached_first reading _ O) as [E F].
-  destruct (is_reached reading e) eqn:R.
+  intros [[_ O] _] [(e & A & B & C)|H]; [|right; now right]. unfold take. simpl. destruct (reached_first path_length _ O) as [E F].
+  destruct (is_reached path_length e) eqn:R.
   - left. rewrite E. apply in_map_iff. exists e. split; [exact B|]. now apply filter_In.
   - right. left. exists e. split; [|tauto]. simpl. apply in_app_iff. left. rewrite F. apply filter_In. now rewrite R.
 Qed.
 
 (* What has expired is visited, unless all that is not listed may have. *)
-Theorem take_finds reading l i own : proper l -> is_id i -> own <= never -> kept l i own -> own <= reading ->
-  In i (fst (take reading l)) \/ rest l <= reading.
+Theorem take_finds path_length l i own : proper l -> is_id i -> own <= never -> kept l i own -> own <= path_length ->
+  In i (fst (take path_length l)) \/ rest l <= path_length.
 Proof.
-  intros [[_ O] _] I N [(e & A & B & C)|H] L; [left|right; lia]. unfold take. simpl. destruct (reached_first reading _ O) as [E _].
+  intros [[_ O] _] I N [(e & A & B & C)|H] L; [left|right; lia]. unfold take. simpl. destruct (reached_first path_length _ O) as [E _].
   rewrite E. apply in_map_iff. exists e. split; [exact B|]. apply filter_In. split; [exact A|].
-  generalize (entry_parts e) (id_bounds e). unfold is_id in I. rewrite B. intros P Q. unfold is_reached, vacant, entry in *.
+  generalize (entry_parts e) (id_bounds e). unfold is_id in I. rewrite B. intros P Q. unfold is_reached, empty_entry, entry in *.
   apply andb_true_iff. rewrite !Z.ltb_lt. nia.
 Qed.
 
 Theorem earliest_below l i own : proper l -> kept l i own -> earliest l <= own.
 Proof.
   intros [[_ O] _] [(e & A & _ & C)|H]; unfold earliest; [|lia]. apply Z.le_trans with (expiry_of e); [|exact C].
-  apply Z.le_trans with (expiry_of (hd vacant (entries l))); [lia|]. apply expiry_le.
+  apply Z.le_trans with (expiry_of (hd empty_entry (entries l))); [lia|]. apply expiry_le.
   destruct O as [|x m O B]; [destruct A|]. simpl. destruct A as [->|A]; [lia|]. rewrite Forall_forall in B. now apply B.
 Qed.
 
 Theorem earliest_range l : proper l -> 0 <= earliest l.
 Proof.
   intros [_ [A B]]. unfold earliest. apply Z.min_glb; [exact A|]. rewrite upper_half. apply Z.div_pos; [|lia].
-  destruct (entries l) as [|e m]; simpl; [unfold vacant, entry, never, none; lia|]. apply B. now left.
+  destruct (entries l) as [|e m]; simpl; [unfold empty_entry, entry, never, none; lia|]. apply B. now left.
 Qed.
 
-Theorem below_rest l i own reading : kept l i own -> own <= reading -> reading < rest l ->
-  exists e, In e (entries l) /\ id_of e = i /\ expiry_of e <= reading.
+Theorem below_rest l i own path_length : kept l i own -> own <= path_length -> path_length < rest l ->
+  exists e, In e (entries l) /\ id_of e = i /\ expiry_of e <= path_length.
 Proof. intros [(e & A & B & C)|H] L M; [exists e; repeat split; trivial; lia|lia]. Qed.
 End listed.
 

@@ -8,7 +8,7 @@
    - queue_runs_dry       with n rounds the queue is empty
    - all_pass             and then every vertex passes: it is at its fixed position, or D < epsilon (passes_means)
    - processed_moves      calls one after another: processed in all <= vertices off their fixed positions at first + calls;
-                          a timestamp that moves each of n vertices once relocates at most 2n times, k of them (k + 1) n times
+                          a time step that moves each of n vertices once relocates at most 2n times, k of them (k + 1) n times
 
    The oracle is any function: which certificates are evaluated, at the moving or at the fixed positions, flipped or reinserted, does
    not matter here. So this is true of the paper's algorithm (fixed positions, relocation) and of ours. *)
@@ -202,9 +202,9 @@ Definition call (s : state) (v : vertex) (p : position) : state * list vertex :=
   let s' := {| moving := set (moving s) v p; fixed := fixed s; epsilon := epsilon s; queue := [] |} in
   if passes s' v then (s', []) else run (S n) {| moving := moving s'; fixed := fixed s'; epsilon := epsilon s'; queue := [v] |}.
 
-Definition settled (s : state) : Prop := queue s = [] /\ forall v, passes s v = true.
+Definition at_rest (s : state) : Prop := queue s = [] /\ forall v, passes s v = true.
 
-Lemma call_tidy : forall s v p, settled s ->
+Lemma call_tidy : forall s v p, at_rest s ->
   let s' := {| moving := set (moving s) v p; fixed := fixed s; epsilon := epsilon s; queue := [] |} in
   passes s' v = false ->
   tidy {| moving := moving s'; fixed := fixed s'; epsilon := epsilon s'; queue := [v] |}.
@@ -216,8 +216,8 @@ Proof.
     unfold passes. simpl. rewrite set_other by exact D. exact (P w).
 Qed.
 
-Theorem call_settles : forall s v p t done, settled s -> call s v p = (t, done) ->
-  settled t /\ moving t = set (moving s) v p /\ NoDup done /\ length done <= n /\ (forall w, In w done -> fixed t w = moving t w).
+Theorem call_comes_to_rest : forall s v p t done, at_rest s -> call s v p = (t, done) ->
+  at_rest t /\ moving t = set (moving s) v p /\ NoDup done /\ length done <= n /\ (forall w, In w done -> fixed t w = moving t w).
 Proof.
   intros s v p t done T. unfold call.
   destruct (passes {| moving := set (moving s) v p; fixed := fixed s; epsilon := epsilon s; queue := [] |} v) eqn:P.
@@ -245,7 +245,7 @@ Proof.
 Qed.
 
 (* A call processes no more vertices than it takes off the list of those that are off, plus the one it moves. *)
-Lemma call_counts : forall s v p t done, settled s -> call s v p = (t, done) -> length done + number_off t <= number_off s + 1.
+Lemma call_counts : forall s v p t done, at_rest s -> call s v p = (t, done) -> length done + number_off t <= number_off s + 1.
 Proof.
   intros s v p t done T. unfold call.
   set (s' := {| moving := set (moving s) v p; fixed := fixed s; epsilon := epsilon s; queue := [] |}).
@@ -276,13 +276,13 @@ Fixpoint calls (s : state) (moves : list (vertex * position)) : state * nat :=
   | (v, p) :: moves => let (t, done) := call s v p in let (u, k) := calls t moves in (u, length done + k)
   end.
 
-Theorem processed_moves : forall moves s t k, settled s -> calls s moves = (t, k) ->
-  settled t /\ k + number_off t <= number_off s + length moves.
+Theorem processed_moves : forall moves s t k, at_rest s -> calls s moves = (t, k) ->
+  at_rest t /\ k + number_off t <= number_off s + length moves.
 Proof.
   intro moves. induction moves as [|[v p] moves IH]; intros s t k T; simpl.
   - intro E. inversion E; subst. split; [exact T|lia].
   - destruct (call s v p) as [r done] eqn:C. destruct (calls r moves) as [u l] eqn:D. intro E. inversion E; subst.
-    destruct (call_settles _ _ _ _ _ T C) as (R & _). destruct (IH _ _ _ R D) as (X & Y).
+    destruct (call_comes_to_rest _ _ _ _ _ T C) as (R & _). destruct (IH _ _ _ R D) as (X & Y).
     generalize (call_counts _ _ _ _ _ T C). split; [exact X|lia].
 Qed.
 
@@ -290,9 +290,9 @@ Lemma number_off_le : forall s, number_off s <= n.
 Proof. intro s. apply NoDup_incl_length; [apply NoDup_filter, distinct|]. intros v H. apply filter_In in H. apply H. Qed.
 
 (* The paper's 2n, and what it amounts to in the long run. *)
-Corollary timestamp : forall moves s t k, settled s -> length moves <= n -> calls s moves = (t, k) -> k <= 2 * n.
+Corollary time_step : forall moves s t k, at_rest s -> length moves <= n -> calls s moves = (t, k) -> k <= 2 * n.
 Proof. intros moves s t k T L E. destruct (processed_moves _ _ _ _ T E) as [_ B]. generalize (number_off_le s). lia. Qed.
 
-Corollary timestamps : forall times moves s t k, settled s -> length moves <= times * n -> calls s moves = (t, k) -> k <= (times + 1) * n.
+Corollary time_steps : forall times moves s t k, at_rest s -> length moves <= times * n -> calls s moves = (t, k) -> k <= (times + 1) * n.
 Proof. intros times moves s t k T L E. destruct (processed_moves _ _ _ _ T E) as [_ B]. generalize (number_off_le s). lia. Qed.
 End queue.

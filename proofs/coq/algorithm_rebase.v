@@ -4,7 +4,7 @@
    - rebase_good             a base of 0, with its length taken off all expiries of the vertex, clipped at 0
    - finished                rebase or not, and thresholds, of all that were anchored: every certificate is good *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep algorithm_commit.
 Import ListNotations.
 Open Scope R_scope.
 

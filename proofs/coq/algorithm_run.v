@@ -1,13 +1,13 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Any sequence of calls of `filter`: steps of all vertices or of one, calls that fail, insertions and removals, tolerance_recomputations, steps without tolerances.
 
-   - settle_keeps, place_keeps, pass_keeps, undo_keeps      what algorithm_step.v leaves out
+   - recompute_keeps, place_keeps, pass_keeps, undo_keeps      what algorithm_step.v leaves out
    - call           what one call may be, as a relation: what Repair and the caller may choose is left free
    - filter_is_right   after any calls every certificate of the mesh holds at the moving positions
 
    With one vertex as mover a step is one of `filter-each` (move_one): the others are where they were. *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_look algorithm_step.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep algorithm_commit algorithm_check algorithm_step.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -172,13 +172,13 @@ Proof.
       * destruct (G i c H) as [[E|E]|E]; [congruence|now left|right; now apply Go].
 Qed.
 
-Definition settled_by (x : placement) (m : Z -> option certificate) (verdicts : list verdict) : Prop :=
+Definition recomputed_by (x : placement) (m : Z -> option certificate) (verdicts : list verdict) : Prop :=
   repaired x (fun _ => None) m [] verdicts.
 
-Theorem settle_keeps x s m verdicts : (forall v : vertex, (0 <= epoch s)%Z) -> Valid x -> settled_by x m verdicts ->
-  invariant (settle x s m verdicts) /\ mesh (settle x s m verdicts) = m.
+Theorem recompute_keeps x s m verdicts : (forall v : vertex, (0 <= epoch s)%Z) -> Valid x -> recomputed_by x m verdicts ->
+  invariant (recompute x s m verdicts) /\ mesh (recompute x s m verdicts) = m.
 Proof.
-  intros E X [Right Rest Ids Counted]. unfold settle.
+  intros E X [Right Rest Ids Counted]. unfold recompute.
   set (s0 := {| moving := x; mesh := m; record := record s; epoch := epoch s; anchored := []; at_ := _ |}).
   destruct (write_all x verdicts s0) as (M & E' & F & G).
   - intro v. split; simpl; [apply number_zero|rewrite real_zero; lra|apply X|apply cleared_proper|]. generalize (E v). lia.
@@ -212,7 +212,7 @@ Inductive call : system -> system -> Prop :=
   | passed s x movers : Valid x -> covered s x movers -> find_failed s x movers = [] ->
       call {| of_filter := s; tracks := true |} {| of_filter := move_to x s; tracks := true |}
   | processed s x movers m verdicts : Valid x -> covered s x movers ->
-      (let (u, suspects) := find_expired s x (find_failed s x movers) in repaired x (mesh u) m suspects verdicts) ->
+      (let (u, pending) := find_expired s x (find_failed s x movers) in repaired x (mesh u) m pending verdicts) ->
       call {| of_filter := s; tracks := true |}
         {| of_filter := stepped s x (find_failed s x movers) m verdicts; tracks := true |}
   | failing s x movers : Valid x -> covered s x movers ->
@@ -225,8 +225,8 @@ Inductive call : system -> system -> Prop :=
       (let t := fold_left place placed s in repaired (moving t) (mesh t) m [] verdicts) ->
       call {| of_filter := s; tracks := true |}
         {| of_filter := (let t := fold_left place placed s in stepped t (moving t) [] m verdicts); tracks := true |}
-  | settles s b x m verdicts : Valid x -> settled_by x m verdicts ->
-      call {| of_filter := s; tracks := b |} {| of_filter := settle x s m verdicts; tracks := true |}
+  | recomputes s b x m verdicts : Valid x -> recomputed_by x m verdicts ->
+      call {| of_filter := s; tracks := b |} {| of_filter := recompute x s m verdicts; tracks := true |}
   (* Without tolerances: all certificates are evaluated, or those of the one vertex that moves *)
   | everything s b x m : Valid x -> (forall i c, m i = Some c -> holds c x) ->
       (forall i c d, m i = Some c -> counts_on d c -> exists j, m j = Some d) ->
@@ -240,7 +240,7 @@ Inductive call : system -> system -> Prop :=
 
 Lemma stepped_right s x failed m verdicts : invariant s -> Valid x ->
   (forall v, In v failed \/ passes s x v = true \/ x v = moving s v) ->
-  (let (u, suspects) := find_expired s x failed in repaired x (mesh u) m suspects verdicts) ->
+  (let (u, pending) := find_expired s x failed in repaired x (mesh u) m pending verdicts) ->
   invariant (stepped s x failed m verdicts).
 Proof. intros V X O R. exact (proj1 (committed s x failed V X O m verdicts R)). Qed.
 
@@ -251,7 +251,7 @@ Proof.
   - apply stepped_right; trivial. now apply failed_or_not.
   - now apply undo_keeps.
   - destruct (places_keep placed s V H H0) as [P _]. apply stepped_right; trivial; [apply P|]. intro v. right. now right.
-  - apply settle_keeps; trivial. intro v. destruct b; [generalize (stamp_range _ _ (fine_all s V v)); lia|]. now apply V.
+  - apply recompute_keeps; trivial. intro v. destruct b; [generalize (stamp_range _ _ (fine_all s V v)); lia|]. now apply V.
   - split; [exact H|split; [|now split]]. intro v. destruct b; [generalize (stamp_range _ _ (fine_all s V v)); simpl; lia|]. now apply V.
   - destruct V as (V1 & V2 & V3 & V4). split; [exact H|split; [exact V2|split; [exact H2|]]]. intros i c M.
     destruct (H1 i c M) as [Q|[Q Q']]; [exact Q|]. apply local with (moving s); [|now apply V4 with i].
@@ -272,12 +272,12 @@ Proof.
   - apply Q.
 Qed.
 
-(* It begins with a settling, from anything. *)
-Corollary from_the_start s x m verdicts z : (forall v : vertex, (0 <= epoch s)%Z) -> Valid x -> settled_by x m verdicts ->
-  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
+(* It begins with a recomputation, from anything. *)
+Corollary from_the_start s x m verdicts z : (forall v : vertex, (0 <= epoch s)%Z) -> Valid x -> recomputed_by x m verdicts ->
+  calls {| of_filter := recompute x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds c (moving (of_filter z)).
 Proof.
-  intros E X S R. refine (proj2 (filter_is_right {| of_filter := settle x s m verdicts; tracks := true |} z _ R)).
-  exact (proj1 (settle_keeps x s m verdicts E X S)).
+  intros E X S R. refine (proj2 (filter_is_right {| of_filter := recompute x s m verdicts; tracks := true |} z _ R)).
+  exact (proj1 (recompute_keeps x s m verdicts E X S)).
 Qed.
 End run.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* A step of `filter` (algorithm_filter.v): vertices that failed are anchored and looked at, Repair does what it may, all is written down.
 
-   - examined          what is no suspect is good at the new positions
-   - no_suspect_holds  so Repair may count on it: it holds there, given those it counts on
-   - undone            if Repair fails, odometers and lists are what they were
+   - examined          what is not pending is good at the new positions
+   - no_pending_holds  so Repair may count on it: it holds there, given those it counts on
+   - undone            if Repair fails, displacement budgets and lists are what they were
    - committed         after commit the invariant holds at the new positions: all certificates hold *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_rebase algorithm_look.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep algorithm_commit algorithm_rebase algorithm_check.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -23,7 +23,7 @@ Hypothesis X : Valid x.
 Hypothesis Others : forall v, In v failed \/ passes s x v = true \/ x v = moving s v.
 Let t := fold_left (anchor x) failed (begin_anchoring s).
 Let u := fst (find_expired s x failed).
-Let suspects := snd (find_expired s x failed).
+Let pending := snd (find_expired s x failed).
 
 Let F0 v : fine (begin_anchoring s) v := proj1 (begin_fine s (fine_all s V) v).
 
@@ -60,7 +60,7 @@ Proof. reflexivity. Qed.
 Theorem u_fine v : fine u v.
 Proof.
   destruct (t_fine v) as [B P Y Q S]. split; rewrite u_at; destruct (in_dec same_vertex v failed); trivial.
-  exact (proj1 (examine_settles t v t_ids Q)).
+  exact (proj1 (examine_accounts t v t_ids Q)).
 Qed.
 
 Lemma u_same v : fixed (at_ u v) = fixed (at_ t v) /\ base (at_ u v) = base (at_ t v) /\ stamp (at_ u v) = stamp (at_ t v).
@@ -87,17 +87,17 @@ Proof.
       destruct (begin_same s v) as (-> & _). apply (is_close _ _ _ _ _ G v H).
 Qed.
 
-Theorem examined i c : mesh u i = Some c -> In i suspects \/ good u x (touched u) i c.
+Theorem examined i c : mesh u i = Some c -> In i pending \/ good u x (touched u) i c.
 Proof.
   change (mesh u) with (mesh t). rewrite t_mesh. intro M.
-  (* at every point that failed it was a suspect, or not reached *)
-  assert (D : forall l, (forall v, In v l -> In v failed) -> In i suspects \/ forall v, In v l -> In v (points c) ->
+  (* at every point that failed it was pending, or not reached *)
+  assert (D : forall l, (forall v, In v l -> In v failed) -> In i pending \/ forall v, In v l -> In v (points c) ->
     (half (base (at_ t v)) < expiry (record t i) v)%Z /\ kept (fst (examine t v)) i (expiry (record t i) v)).
   { induction l as [|v l IH]; intro Inc; [right; intros v []|]. assert (Fv := Inc v (or_introl eq_refl)).
     destruct (IH (fun w H => Inc w (or_intror H))) as [Q|Q]; [now left|].
     destruct (in_dec same_vertex v (points c)) as [Y|Y].
     - assert (Mt : mesh t i = Some c) by now rewrite t_mesh.
-      destruct (proj2 (examine_settles t v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|H].
+      destruct (proj2 (examine_accounts t v t_ids (list_proper _ _ (t_fine v))) i c Mt Y (t_listed i c M v Y)) as [H|H].
       + left. apply in_flat_map. exists v. split; [exact Fv|now apply in_rev in H].
       + right. intros w [<-|Hw] Hp; [exact H|now apply Q].
     - right. intros w [<-|Hw] Hp; [contradiction|now apply Q]. }
@@ -115,8 +115,8 @@ Proof.
     right. rewrite C', t_record. destruct (begin_good _ _ _ _ _ (good_all s V i c M)) as [_ _ _ T]. destruct (T v H) as [[]|T']. exact T'.
 Qed.
 
-(* What Repair may count on: whatever is no suspect holds at x, if what it counts on does. *)
-Theorem no_suspect_holds i c : mesh u i = Some c -> ~ In i suspects -> (forall d, counts_on d c -> holds d x) -> holds c x.
+(* What Repair may count on: whatever is not pending holds at x, if what it counts on does. *)
+Theorem no_pending_holds i c : mesh u i = Some c -> ~ In i pending -> (forall d, counts_on d c -> holds d x) -> holds c x.
 Proof.
   intros M N K. destruct (examined i c M) as [Q|Q]; [contradiction|].
   apply (promise _ _ _ (is_sane _ _ _ _ _ Q)); [|exact K]. intros v H. apply (is_close _ _ _ _ _ Q v H).
@@ -137,7 +137,7 @@ Qed.
 (* ---- commit ---- *)
 
 Variables (m : Z -> option certificate) (verdicts : list verdict).
-Hypothesis Mended : repaired x (mesh u) m suspects verdicts.
+Hypothesis Mended : repaired x (mesh u) m pending verdicts.
 Let w0 := with_mesh u m.
 
 Lemma w0_fine v : fine w0 v.

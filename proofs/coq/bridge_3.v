@@ -124,10 +124,10 @@ Proof.
   - apply rnd_nonneg, Rplus_le_le_0_compat; apply rnd_nonneg, sqrt_pos.
 Qed.
 
-Lemma backward_stands : forall k k', partition_stands k k' -> backward machine m k = backward rounded m' k'.
-Proof. intros k k' (_ & _ & S). unfold backward. f_equal. exact (stands_ltb _ _ _ _ _ _ side_error_stands S). Qed.
+Lemma wrong_side_stands : forall k k', partition_stands k k' -> wrong_side machine m k = wrong_side rounded m' k'.
+Proof. intros k k' (_ & _ & S). unfold wrong_side. f_equal. exact (stands_ltb _ _ _ _ _ _ side_error_stands S). Qed.
 
-Lemma certainly_backward_stands : forall k k', partition_stands k k' -> certainly_backward machine m k = certainly_backward rounded m' k'.
+Lemma certainly_wrong_side_stands : forall k k', partition_stands k k' -> certainly_wrong_side machine m k = certainly_wrong_side rounded m' k'.
 Proof. intros k k' (_ & _ & S). exact (stands_ltb _ _ _ _ _ _ S (stands_opp _ _ _ side_error_stands)). Qed.
 End powers.
 
@@ -234,7 +234,7 @@ Proof.
   pose proof (annuli_stand _ _ _ _ _ _ _ _ B1 C1 P1 Q1 M Low certified) as Annuli.
   destruct (bicell_stands _ _ _ _ _ _ _ _ B1 C1 P1 Q1) as (_ & (_ & K2 & K3 & K4) & (Dp & Lp) & (Dq & Lq)).
   pose proof (decide_width_stands _ _ M Low certified _ _ _ _ Dp Lp) as Wp. pose proof (decide_width_stands _ _ M Low certified _ _ _ _ Dq Lq) as Wq.
-  rewrite (backward_stands _ _ M _ _ K2), (backward_stands _ _ M _ _ K3), (backward_stands _ _ M _ _ K4).
-  rewrite (certainly_backward_stands _ _ M _ _ K2), (certainly_backward_stands _ _ M _ _ K3), (certainly_backward_stands _ _ M _ _ K4).
+  rewrite (wrong_side_stands _ _ M _ _ K2), (wrong_side_stands _ _ M _ _ K3), (wrong_side_stands _ _ M _ _ K4).
+  rewrite (certainly_wrong_side_stands _ _ M _ _ K2), (certainly_wrong_side_stands _ _ M _ _ K3), (certainly_wrong_side_stands _ _ M _ _ K4).
   apply unless_stands; [now intros ->; destruct cells|exact Annuli|]. apply both_stands; [|exact Wq]. apply both_stands; [exact Annuli|exact Wp].
 Qed.

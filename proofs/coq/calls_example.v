@@ -1,15 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* That there are calls: what `start` and `program_call` ask can be had. Four doubles that are a kite, two triangles of it, and all that the ladder
+(* That there are calls: what `start` and `program_call` ask can be had. Four doubles that are a kite, two triangles of it, and all that the filtered predicate
    answers of them, computed; one vertex moves, and the diagonal is flipped; a fifth vertex comes. What comes then is in calls_made.v.
 
-   - settled_right   where the ladder says yes to all certificates of a mesh, the filter can start
+   - recomputed_right   where the filtered predicate says yes to all certificates of a mesh, the filter can start
    - flips           the move is a call (`step`, `inside`)
    - comes_in        and so is the insertion (`inserted`) *)
 From Coq Require Import Reals ZArith List Bool Lra Lia FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
-From Annulus Require Import points_2 operations bridge connect filter_2 returned_2 stages ladder_2.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_step algorithm_run filter_world filter_plane.
+From Annulus Require Import points_2 operations bridge connect filter_2 returned_2 stages predicate_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_step algorithm_run filter_world filter_plane.
 From Annulus Require Import plane_mesh plane_triangulation plane_certificates plane_audit filter_delaunay plane_listed plane_calls filter_calls.
 Import ListNotations.
 Close Scope float_scope.
@@ -44,13 +44,13 @@ Lemma low_coordinates v : coordinates_2 (low v).
 Proof. now apply kite_coordinates. Qed.
 Lemma high_coordinates v : coordinates_2 (high v).
 Proof. now apply kite_coordinates. Qed.
-(* ---- What the ladder says of a mesh ---- *)
+(* ---- What the filtered predicate says of a mesh ---- *)
 
 Definition numbered (T : plane_mesh.mesh) (i : Z) : option certificate_2 := if (i <? 0)%Z then None else nth_error (certificates T) (Z.to_nat i).
 Definition answer_of (f : doubles) (c : certificate_2) : answer float :=
   match c with
-  | cell a b c | ridge a b c => orientation_ladder false (f a) (f b) (f c)
-  | circle a b p q => empty_sphere_ladder false (f a) (f b) (f p) (f q)
+  | cell a b c | ridge a b c => orientation_predicate false (f a) (f b) (f c)
+  | circle a b p q => empty_sphere_predicate false (f a) (f b) (f p) (f q)
   end.
 Definition says_yes (f : doubles) (c : certificate_2) : bool :=
   all_differ Nat.eqb (points_2 c) && match answer_of f c with filter_2.positive _ => true | _ => false end.
@@ -93,7 +93,7 @@ Proof.
       match goal with |- says ?x _ _ => destruct x; try discriminate A; reflexivity end.
 Qed.
 
-Theorem settled_right f T : (forall v, coordinates_2 (f v)) -> accepted f T = true -> start f (numbered T) (verdicts_of f T).
+Theorem recomputed_right f T : (forall v, coordinates_2 (f v)) -> accepted f T = true -> start f (numbered T) (verdicts_of f T).
 Proof.
   intros D A. split; trivial.
   - now apply verdicts_told.
@@ -107,8 +107,8 @@ Proof.
 Qed.
 
 (* Repair evaluates everything that there is. *)
-Lemma evaluates_all f T old suspects : accepted f T = true -> (forall i, (i < 0 \/ 100 <= i)%Z -> old i = None) ->
-  evaluates f old (numbered T) suspects (map Z.of_nat (seq 0 100)) (verdicts_of f T).
+Lemma evaluates_all f T old pending : accepted f T = true -> (forall i, (i < 0 \/ 100 <= i)%Z -> old i = None) ->
+  evaluates f old (numbered T) pending (map Z.of_nat (seq 0 100)) (verdicts_of f T).
 Proof.
   intros A O. split; [now apply verdicts_told|intros i c _; apply all_verdicts|]. intros i N.
   assert (Q : (i < 0 \/ 100 <= i)%Z).
@@ -129,7 +129,7 @@ Definition blank : state := {|
   moving := at_doubles low; algorithm_filter.mesh := fun _ => None; epoch := 0; anchored := [];
   at_ := fun v => {| fixed := at_doubles low v; base := 0; room := 0; listing := cleared capacity; stamp := 0 |};
   record := fun _ => {| expiry := fun _ => 0%Z; reference := at_doubles low; origin := fun _ => 0; allowance := 0 |} |}.
-Definition first : state := settle (at_doubles low) blank (numbered upright) (verdicts_of low upright).
+Definition first : state := recompute (at_doubles low) blank (numbered upright) (verdicts_of low upright).
 (* Vertex 3 moves. *)
 Definition second : state := stepped first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) (numbered level) (verdicts_of high level).
 (* Vertex 4 comes. *)
@@ -152,16 +152,16 @@ Proof. reflexivity. Qed.
 
 Lemma started : right {| of_filter := first; tracks := true |} /\ algorithm_filter.mesh first = numbered upright.
 Proof.
-  assert (St := settled_right low upright low_coordinates upright_accepted).
-  apply (@algorithm_run.settle_keeps the_plane (the_laws) (at_doubles low) blank (numbered upright) (verdicts_of low upright)).
+  assert (St := recomputed_right low upright low_coordinates upright_accepted).
+  apply (@algorithm_run.recompute_keeps the_plane (the_laws) (at_doubles low) blank (numbered upright) (verdicts_of low upright)).
   - intros _. apply Z.le_refl.
   - intro v. apply coordinates_valid, low_coordinates.
-  - now apply start_settles.
+  - now apply start_recomputes.
 Qed.
 
 Definition everything_there : list Z := map Z.of_nat (seq 0 100).
-Lemma second_evaluated : let (u, suspects) := find_expired first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) in
-  evaluates high (algorithm_filter.mesh u) (numbered level) suspects everything_there (verdicts_of high level).
+Lemma second_evaluated : let (u, pending) := find_expired first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) in
+  evaluates high (algorithm_filter.mesh u) (numbered level) pending everything_there (verdicts_of high level).
 Proof.
   unfold find_expired. apply evaluates_all; [exact level_accepted|]. intros i Q. cbn [algorithm_filter.mesh].
   rewrite (t_mesh first (at_doubles high) _ (proj1 started) (fun v => coordinates_valid _ (high_coordinates v))), (proj2 started).

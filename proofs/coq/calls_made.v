@@ -7,8 +7,8 @@
 From Coq Require Import Reals ZArith List Bool Lra Lia FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
-From Annulus Require Import points_2 operations bridge connect filter_2 returned_2 stages ladder_2 exact_sign_2.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_step algorithm_run filter_world filter_plane.
+From Annulus Require Import points_2 operations bridge connect filter_2 returned_2 stages predicate_2 exact_sign_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_step algorithm_run filter_world filter_plane.
 From Annulus Require Import plane_mesh plane_triangulation plane_certificates plane_audit filter_delaunay signed_2 plane_listed plane_calls filter_calls calls_example.
 Import ListNotations.
 Close Scope float_scope.
@@ -77,7 +77,7 @@ Proof.
 Qed.
 
 Definition event_of (i : nat) : event := match i with 1%nat => comes 4 | 2%nat => goes 4 | _ => nobody end.
-Definition system_of (i : nat) : system := match i with O => settled low (numbered upright) (verdicts_of low upright) blank
+Definition system_of (i : nat) : system := match i with O => recomputed low (numbered upright) (verdicts_of low upright) blank
   | 1%nat => {| of_filter := second; tracks := true |} | 2%nat => {| of_filter := third; tracks := true |} | 3%nat => {| of_filter := fourth; tracks := true |}
   | _ => {| of_filter := fifth; tracks := false |} end.
 Definition mesh_after (i : nat) : plane_mesh.mesh := match i with O => upright | 2%nat => with_fifth | _ => level end.
@@ -89,7 +89,7 @@ Theorem example : (triangulation (at_doubles high) with_fifth /\ delaunay (at_do
   (triangulation (at_doubles round) level /\ delaunay (at_doubles round) level) /\ forall v, vertex_of with_fifth v <-> vertex_of upright v \/ v = 4%nat.
 Proof.
   assert (D := program_delaunay_until 4 low (numbered upright) (verdicts_of low upright) blank event_of system_of mesh_after
-    (settled_right low upright low_coordinates upright_accepted) (Z.le_refl 0) eq_refl (accepted_glued low upright upright_accepted)
+    (recomputed_right low upright low_coordinates upright_accepted) (Z.le_refl 0) eq_refl (accepted_glued low upright upright_accepted)
     (numbered_lists low upright upright_accepted) upright_winds calls_made).
   destruct (D 2%nat ltac:(lia)) as (A & B & C), (D 4%nat ltac:(lia)) as (E & F & _). unfold places in A, B, E, F. cbn [system_of mesh_after of_filter] in *.
   unfold third in A, B. rewrite stepped_moving in A, B.

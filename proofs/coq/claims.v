@@ -2,12 +2,12 @@
 (* The main theorems: what all other files are for, said in full, each with what it assumes. proofs/README.md has the same text beside words,
    and the definitions that it needs; proofs/claims compares the two.
 
-   machine is Coq's primitive binary64. A sign or a tolerance is that of the ladder, operation by operation: filter_2.v, interval_2.v, exact_2.v and the
+   machine is Coq's primitive binary64. A sign or a tolerance is that of the filtered predicate, operation by operation: filter_2.v, interval_2.v, exact_2.v and the
    same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
-From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 ladder_2 returned_3 ladder_3 signs_2 signs_3.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
+From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
 From Annulus Require Import filter_space filter_delaunay_3 signed_3 space_calls.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_winding plane_audit filter_delaunay plane_listed plane_calls filter_calls.
@@ -17,8 +17,8 @@ Open Scope R_scope.
 
 (* ---- From doubles to signs and tolerances ---- *)
 
-Theorem orientation_in_the_plane : forall (f : doubles) tight a b c, (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
-  match orientation_ladder tight (f a) (f b) (f c) with
+Theorem orientation_in_the_plane : forall (f : doubles) correctly_rounded a b c, (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
+  match orientation_predicate correctly_rounded (f a) (f b) (f c) with
   | refused => False
   | filter_2.zero _ => turn_at (at_doubles f) a b c = 0
   | negative _ => turn_at (at_doubles f) a b c < 0
@@ -26,15 +26,15 @@ Theorem orientation_in_the_plane : forall (f : doubles) tight a b c, (forall v, 
       forall m : nat -> point_2, (forall v, In v [a; b; c] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < turn_at m a b c
   end.
 Proof.
-  intros f tight a b c D. destruct (orientation_2_told f tight a b c D) as [R N].
-  assert (C := fun t m => orientation_2_certifies f tight a b c t m D).
-  destruct (orientation_ladder tight (f a) (f b) (f c)) as [|t|t|t]; [now apply N|exact R|exact R|].
+  intros f correctly_rounded a b c D. destruct (orientation_2_told f correctly_rounded a b c D) as [R N].
+  assert (C := fun t m => orientation_2_certifies f correctly_rounded a b c t m D).
+  destruct (orientation_predicate correctly_rounded (f a) (f b) (f c)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
 Qed.
 Print Assumptions orientation_in_the_plane.
 
-Theorem empty_circle : forall (f : doubles) tight a b p q, (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
-  match empty_sphere_ladder tight (f a) (f b) (f p) (f q) with
+Theorem empty_circle : forall (f : doubles) correctly_rounded a b p q, (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
+  match empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q) with
   | refused => False
   | filter_2.zero _ => incircle_at (at_doubles f) a b p q = 0
   | negative _ => incircle_at (at_doubles f) a b p q < 0
@@ -43,15 +43,15 @@ Theorem empty_circle : forall (f : doubles) tight a b p q, (forall v, In v [a; b
       (forall v, In v [a; b; p; q] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < incircle_at m a b p q
   end.
 Proof.
-  intros f tight a b p q D. destruct (empty_sphere_2_told f tight a b p q D) as [R N].
-  assert (C := fun t m => empty_sphere_2_certifies f tight a b p q t m D).
-  destruct (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) as [|t|t|t]; [now apply N|exact R|exact R|].
+  intros f correctly_rounded a b p q D. destruct (empty_sphere_2_told f correctly_rounded a b p q D) as [R N].
+  assert (C := fun t m => empty_sphere_2_certifies f correctly_rounded a b p q t m D).
+  destruct (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
 Qed.
 Print Assumptions empty_circle.
 
-Theorem orientation_in_space : forall (f : tetrahedron.corner -> filter_3.vector_3 machine) tight, (forall k, coordinates_3 (f k)) ->
-  match orientation_ladder_3 tight (f tetrahedron.o) (f tetrahedron.u) (f tetrahedron.v) (f tetrahedron.w) with
+Theorem orientation_in_space : forall (f : tetrahedron.corner -> filter_3.vector_3 machine) correctly_rounded, (forall k, coordinates_3 (f k)) ->
+  match orientation_predicate_3 correctly_rounded (f tetrahedron.o) (f tetrahedron.u) (f tetrahedron.v) (f tetrahedron.w) with
   | refused => False
   | filter_2.zero _ => tetrahedron.volume (fun k => at_3 (f k)) = 0
   | negative _ => tetrahedron.volume (fun k => at_3 (f k)) < 0
@@ -59,14 +59,14 @@ Theorem orientation_in_space : forall (f : tetrahedron.corner -> filter_3.vector
       forall y, (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < tetrahedron.volume y
   end.
 Proof.
-  intros f tight D. destruct (orientation_3_told f D tight) as [R N]. assert (C := orientation_3_certifies f D tight).
-  destruct (orientation_ladder_3 tight _ _ _ _) as [|t|t|t]; [now apply N|exact R|exact R|].
+  intros f correctly_rounded D. destruct (orientation_3_told f D correctly_rounded) as [R N]. assert (C := orientation_3_certifies f D correctly_rounded).
+  destruct (orientation_predicate_3 correctly_rounded _ _ _ _) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
 Print Assumptions orientation_in_space.
 
-Theorem empty_sphere : forall (f : bicell.vertex -> filter_3.vector_3 machine) tight, (forall k, coordinates_3 (f k)) ->
-  match sphere_ladder f tight filter_3.where_needed with
+Theorem empty_sphere : forall (f : bicell.vertex -> filter_3.vector_3 machine) correctly_rounded, (forall k, coordinates_3 (f k)) ->
+  match sphere_predicate f correctly_rounded filter_3.where_needed with
   | refused => False
   | filter_2.zero _ => bicell.det (fun k => at_3 (f k)) = 0
   | negative _ => bicell.det (fun k => at_3 (f k)) < 0
@@ -76,8 +76,8 @@ Theorem empty_sphere : forall (f : bicell.vertex -> filter_3.vector_3 machine) t
       (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < bicell.det y
   end.
 Proof.
-  intros f tight D. destruct (empty_sphere_3_told f D tight filter_3.where_needed) as [R N]. assert (C := empty_sphere_3_certifies f D tight).
-  destruct (sphere_ladder f tight filter_3.where_needed) as [|t|t|t]; [now apply N|exact R|exact R|].
+  intros f correctly_rounded D. destruct (empty_sphere_3_told f D correctly_rounded filter_3.where_needed) as [R N]. assert (C := empty_sphere_3_certifies f D correctly_rounded).
+  destruct (sphere_predicate f correctly_rounded filter_3.where_needed) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
 Print Assumptions empty_sphere.
@@ -132,7 +132,7 @@ Print Assumptions mesh_in_space.
 (* ---- From doubles to Delaunay, step by step ---- *)
 
 Theorem filter_in_the_plane : forall (o : options) n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh),
-  start f m verdicts -> (0 <= epoch s)%Z -> y O = settled f m verdicts s ->
+  start f m verdicts -> (0 <= epoch s)%Z -> y O = recomputed f m verdicts s ->
   glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
   (forall i, (i < n)%nat -> program_call (e i) (y i) (T i) (y (S i)) (T (S i))) ->
   forall i, (i <= n)%nat ->
@@ -146,7 +146,7 @@ Proof. exact @told_evaluated_3. Qed.
 Print Assumptions verdicts_of_doubles_in_space.
 
 Theorem filter_in_space : forall (o : options) f m verdicts s z,
-  start_in_space f m verdicts -> (0 <= epoch s)%Z -> space_calls (settled_in_space f m verdicts s) z ->
+  start_in_space f m verdicts -> (0 <= epoch s)%Z -> space_calls (recomputed_in_space f m verdicts s) z ->
   (forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z)) /\
   forall T U L, glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
 Proof.

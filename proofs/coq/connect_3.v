@@ -184,16 +184,16 @@ Proof. unfold bicell_magnitude. rewrite !greater_Rmax, !largest_3_is. reflexivit
 Lemma sides_are : side _ (ab_cpq _ t) = T.l2 f /\ side _ (ca_bpq _ t) = T.l3 f /\ side _ (bc_apq _ t) = T.minus_l4 f.
 Proof. destruct (rounded_terms_are vb vc vp vq) as (_ & _ & (_ & _ & S2) & (_ & _ & S3) & (_ & _ & S4) & _). auto. Qed.
 
-Lemma backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
-  backward rounded m k = S.is_backward a b c p q h.
+Lemma wrong_side_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
+  wrong_side rounded m k = S.on_wrong_side a b c p q h.
 Proof.
-  intros part h E. unfold backward, S.is_backward. rewrite side_error_is, E. change (less rounded) with Rlt_bool. rewrite less_dec.
+  intros part h E. unfold wrong_side, S.on_wrong_side. rewrite side_error_is, E. change (less rounded) with Rlt_bool. rewrite less_dec.
   fold m f. now destruct (Rlt_dec _ (h f)).
 Qed.
-Lemma certainly_backward_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
-  certainly_backward rounded m k = S.certainly_backward a b c p q h.
+Lemma certainly_wrong_side_of : forall (k : partition rounded) (h : T.bicell R -> R), side rounded k = h f ->
+  certainly_wrong_side rounded m k = S.certainly_wrong_side a b c p q h.
 Proof.
-  intros part h E. unfold certainly_backward, S.certainly_backward. rewrite side_error_is, E.
+  intros part h E. unfold certainly_wrong_side, S.certainly_wrong_side. rewrite side_error_is, E.
   change (less rounded) with Rlt_bool. rewrite less_dec.
   reflexivity.
 Qed.
@@ -221,13 +221,13 @@ Proof.
   rewrite annuli_are.
   rewrite (decide_width_is _ _ _ _ m (cell_p_slab_is vb vc vp vq)), (decide_width_is _ _ _ _ m (cell_q_slab_is vb vc vp vq)).
   destruct sides_are as (S2 & S3 & S4). destruct (rounded_terms_are vb vc vp vq) as (_ & _ & _ & _ & _ & Cp & Cq). fold t in Cp, Cq.
-  rewrite (backward_of _ T.l2 S2), (backward_of _ T.l3 S3), (backward_of _ T.minus_l4 S4).
-  rewrite (certainly_backward_of _ T.l2 S2), (certainly_backward_of _ T.l3 S3), (certainly_backward_of _ T.minus_l4 S4). rewrite Cp, Cq.
+  rewrite (wrong_side_of _ T.l2 S2), (wrong_side_of _ T.l3 S3), (wrong_side_of _ T.minus_l4 S4).
+  rewrite (certainly_wrong_side_of _ T.l2 S2), (certainly_wrong_side_of _ T.l3 S3), (certainly_wrong_side_of _ T.minus_l4 S4). rewrite Cp, Cq.
   set (wp := W.decide_width _ (T.slabs_p _) m certified). set (wq := W.decide_width _ (T.slabs_q _) m certified).
   change (W.decide_width (T.cell_p f) (T.slabs_p f) m certified) with wp. change (W.decide_width (T.cell_q f) (T.slabs_q f) m certified) with wq.
   destruct k; unfold S.cells_needed, S.in_doubt, use_of.
   - rewrite !both_not. apply unless_same.
-  - destruct (S.is_backward _ _ _ _ _ T.l2 || S.is_backward _ _ _ _ _ T.l3 || S.is_backward _ _ _ _ _ T.minus_l4)%bool.
+  - destruct (S.on_wrong_side _ _ _ _ _ T.l2 || S.on_wrong_side _ _ _ _ _ T.l3 || S.on_wrong_side _ _ _ _ _ T.minus_l4)%bool.
     + rewrite !both_is, unless_is. apply refused_if.
     + rewrite !both_not. apply unless_same.
   - rewrite !both_is, unless_is. apply (refused_if false).

@@ -23,8 +23,8 @@ Definition least_of (k : Z) (first : width_terms integers) (l : list (width_term
 Definition exact_bicell (t : bicell_terms integers) (k : Z) (use : cells) : answer float :=
   let det := insphere _ t : Z in
   let sides := [side _ (ab_cpq _ t) : Z; side _ (ca_bpq _ t) : Z; side _ (bc_apq _ t) : Z] in
-  let backward := existsb (fun l => negb (0 <? l)%Z) sides in
-  let needed := match use with never => false | where_needed => backward | always => true end in
+  let wrong_side := existsb (fun l => negb (0 <? l)%Z) sides in
+  let needed := match use with never => false | where_needed => wrong_side | always => true end in
   if (det <? 0)%Z then negative 0%float else if (det =? 0)%Z then filter_2.zero 0%float
   else positive (to_float (least_of k (of_partition _ t (abc_pq _ t))
     ([of_partition _ t (ab_cpq _ t); of_partition _ t (ca_bpq _ t); of_partition _ t (bc_apq _ t)] ++ if needed then two_cells _ t else []))).

@@ -133,7 +133,7 @@ Definition bicell_magnitude (b c p q : vector_3) :=
 Definition bicell_error (m : T) := let m2 := m * m in constant o annulus_3_insphere_u * (m2 * m2 * m).
 Definition bicell_norms (m : T) := let m2 := m * m in constant o annulus_3_norms_u * (m2 * m2).
 Definition side_error (m : T) := let m2 := m * m in constant o annulus_3_side_u * (m2 * m).
-Definition backward (m : T) (k : partition) := negb (less o (side_error m) (side k)).
+Definition wrong_side (m : T) (k : partition) := negb (less o (side_error m) (side k)).
 
 (* unless(): a tolerance that the cells lower is no answer where one of the sums may be positive or not, and none is certainly not. *)
 Definition unless (doubt : bool) (alone whole : answer T) : answer T :=
@@ -141,7 +141,7 @@ Definition unless (doubt : bool) (alone whole : answer T) : answer T :=
   | positive s, positive t => if doubt && less o t s then refused else whole
   | _, _ => whole
   end.
-Definition certainly_backward (m : T) (k : partition) := less o (side k) (opposite o (side_error m)).
+Definition certainly_wrong_side (m : T) (k : partition) := less o (side k) (opposite o (side_error m)).
 
 Definition bicell_filter (a b c p q : vector_3) (certified : bool) (cells : cells) : answer T :=
   let b := difference_3 b a in let c := difference_3 c a in let p := difference_3 p a in let q := difference_3 q a in
@@ -152,13 +152,13 @@ Definition bicell_filter (a b c p q : vector_3) (certified : bool) (cells : cell
     let largest := greater o (greater o (norms (abc_pq t)) (norms (ab_cpq t))) (greater o (norms (ca_bpq t)) (norms (bc_apq t))) in
     let needed := match cells with
                   | never => false
-                  | where_needed => backward m (ab_cpq t) || backward m (ca_bpq t) || backward m (bc_apq t)
+                  | where_needed => wrong_side m (ab_cpq t) || wrong_side m (ca_bpq t) || wrong_side m (bc_apq t)
                   | always => true
                   end in
     let annuli := decide o (insphere t) largest (bicell_error m) (bicell_norms m) certified in
     let doubt := match cells with
-                 | where_needed => certified && negb (certainly_backward m (ab_cpq t) || certainly_backward m (ca_bpq t) ||
-                                                      certainly_backward m (bc_apq t))
+                 | where_needed => certified && negb (certainly_wrong_side m (ab_cpq t) || certainly_wrong_side m (ca_bpq t) ||
+                                                      certainly_wrong_side m (bc_apq t))
                  | _ => false
                  end in
     unless doubt annuli

@@ -7,7 +7,7 @@
    - program_delaunay   from doubles, after any number of calls, the cells triangulate the hull of the moving vertices, which are all that there should be,
                         and are Delaunay *)
 From Coq Require Import Reals ZArith List Bool Lra Lia Permutation.
-From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_look algorithm_step algorithm_run filter_world filter_plane filter_untouched.
+From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_check algorithm_step algorithm_run filter_world filter_plane filter_untouched.
 From Annulus Require Import plane_mesh plane_triangulation plane_certificates plane_motion filter_delaunay signed_2 plane_listed plane_calls.
 Import ListNotations.
 Open Scope R_scope.
@@ -45,13 +45,13 @@ Proof.
   destruct A as [(_ & _ & A & _)|(_ & A)]; exact A.
 Qed.
 
-Theorem evaluates_repaired f old m suspects touched verdicts T : (forall v, coordinates_2 (f v)) -> evaluates f old m suspects touched verdicts ->
-  glued T -> lists m T -> (forall i a b c, old i = Some (cell a b c) -> ~ In i suspects -> 0 < turn_at (at_doubles f) a b c) ->
-  repaired (at_doubles f) old m suspects verdicts.
+Theorem evaluates_repaired f old m pending touched verdicts T : (forall v, coordinates_2 (f v)) -> evaluates f old m pending touched verdicts ->
+  glued T -> lists m T -> (forall i a b c, old i = Some (cell a b c) -> ~ In i pending -> 0 < turn_at (at_doubles f) a b c) ->
+  repaired (at_doubles f) old m pending verdicts.
 Proof.
   intros D [Told Left Same] G L Old.
-  assert (Known : forall i c, m i = Some c -> In i (map id verdicts) \/ (old i = Some c /\ ~ In i suspects)).
-  { intros i c M. destruct (in_dec Z.eq_dec i suspects) as [S|S]; [left; apply (Left i c); auto|].
+  assert (Known : forall i c, m i = Some c -> In i (map id verdicts) \/ (old i = Some c /\ ~ In i pending)).
+  { intros i c M. destruct (in_dec Z.eq_dec i pending) as [S|S]; [left; apply (Left i c); auto|].
     destruct (in_dec Z.eq_dec i touched) as [C|C]; [left; apply (Left i c); auto|right]. rewrite <- (Same i C). now split. }
   assert (P : forall i a b c, m i = Some (cell a b c) -> 0 < turn_at (at_doubles f) a b c).
   { intros i a b c M. destruct (Known _ _ M) as [I|[I N]]; [|now apply (Old i)]. apply in_map_iff in I. destruct I as (k & <- & K).
@@ -83,17 +83,17 @@ Qed.
 
 Lemma step_repaired s f movers m touched verdicts T : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  let (u, suspects) := find_expired s (at_doubles f) failed in
-  evaluates f (algorithm_filter.mesh u) m suspects touched verdicts -> repaired (at_doubles f) (algorithm_filter.mesh u) m suspects verdicts.
+  let (u, pending) := find_expired s (at_doubles f) failed in
+  evaluates f (algorithm_filter.mesh u) m pending touched verdicts -> repaired (at_doubles f) (algorithm_filter.mesh u) m pending verdicts.
 Proof.
-  intros V D Co G L failed. destruct (find_expired s (at_doubles f) failed) as [u suspects] eqn:E. intro Ev.
-  apply (evaluates_repaired f _ m suspects touched verdicts T); trivial. intros i a b c M N.
-  assert (H := no_suspect_holds s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))
+  intros V D Co G L failed. destruct (find_expired s (at_doubles f) failed) as [u pending] eqn:E. intro Ev.
+  apply (evaluates_repaired f _ m pending touched verdicts T); trivial. intros i a b c M N.
+  assert (H := no_pending_holds s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))
     (failed_or_not s (at_doubles f) movers Co) i (cell a b c)).
   rewrite E in H. apply (H M N). intros d [].
 Qed.
 
-Lemma start_settles f m verdicts : start f m verdicts -> settled_by (at_doubles f) m verdicts.
+Lemma start_recomputes f m verdicts : start f m verdicts -> recomputed_by (at_doubles f) m verdicts.
 Proof.
   intro St. split; [|intros i c M; left; now apply (all_told _ _ _ St i c)|exact (ids _ _ _ St)|exact (with_cells _ _ _ St)].
   intros k K. split; [now apply (told_right _ _ _ St)|]. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply (start_answered f m verdicts).
@@ -108,13 +108,13 @@ Proof.
     try assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, D).
   - now apply passed with movers.
   - apply processed; trivial. assert (R := step_repaired s f movers m touched verdicts T' V D Co G L). cbv zeta in R |- *.
-    destruct (find_expired _ _ _) as [u suspects]. now apply R.
+    destruct (find_expired _ _ _) as [u pending]. now apply R.
   - apply failing; [exact X|exact Co].
   - assert (Va := placed_valid f e D). assert (Fr := placed_new s f e T GT LT New).
     destruct (places_keep (placed f e) s V Va Fr) as [P M]. fold t in P, M. rewrite <- Mo. apply refreshed; trivial. cbv zeta. fold t. rewrite Mo.
     apply (evaluates_repaired f _ m [] touched verdicts T'); trivial. intros i a b c Q _.
     rewrite <- Mo. exact (holds_right {| of_filter := t; tracks := true |} P i _ Q).
-  - apply settles; [intro; apply coordinates_valid, (in_domain _ _ _ St)|now apply start_settles].
+  - apply recomputes; [intro; apply coordinates_valid, (in_domain _ _ _ St)|now apply start_recomputes].
   - assert (H' : forall i c, m i = Some c -> holds_2 no_fold c (at_doubles f)) by (intros i c M; now apply signed_holds, (H i)).
     apply everything; trivial. now apply (counted m (at_doubles f) T' G L), cells_positive.
   - apply everything; trivial. now apply (counted m (at_doubles f) T' G L), cells_positive.
@@ -134,8 +134,8 @@ Qed.
 (* Of a ridge that was not evaluated the record is what it was. *)
 Lemma ridge_kept s f movers m touched verdicts T i u v w : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  (let (u, suspects) := find_expired s (at_doubles f) failed in
-   evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
+  (let (u, pending) := find_expired s (at_doubles f) failed in
+   evaluates f (algorithm_filter.mesh u) m pending touched verdicts) ->
   existsb turns verdicts = false -> m i = Some (ridge u v w) -> certified_ridge (moving s) (at_doubles f) u v w.
 Proof.
   intros V D Co G L failed Ev No M. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, D).
@@ -164,8 +164,8 @@ Qed.
 
 Lemma step_ends s f movers m touched verdicts T : right {| of_filter := s; tracks := true |} -> (forall v, coordinates_2 (f v)) ->
   covered s (at_doubles f) movers -> glued T -> lists m T -> let failed := find_failed s (at_doubles f) movers in
-  (let (u, suspects) := find_expired s (at_doubles f) failed in
-   evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
+  (let (u, pending) := find_expired s (at_doubles f) failed in
+   evaluates f (algorithm_filter.mesh u) m pending touched verdicts) ->
   algorithm_filter.mesh (stepped s (at_doubles f) failed m verdicts) = m /\ moving (stepped s (at_doubles f) failed m verdicts) = at_doubles f.
 Proof.
   intros V D Co G L failed Ev. assert (R := step_repaired s f movers m touched verdicts T V D Co G L). fold failed in R. cbv zeta in R.
@@ -197,8 +197,8 @@ Proof.
   - unfold of_filter. now rewrite (proj1 (step_ends s f movers m touched verdicts T' V D Co G L E)).
   - cbn [of_filter] in *. rewrite (proj1 (proj2 (undone_else s (at_doubles f) failed V (fun v => coordinates_valid _ (D v))))). exact Ly.
   - exact (eq_ind_r (fun n => lists n T') L (proj1 (inserted_ends s f e m touched verdicts T T' V Gy Ly D Mo New E G L))).
-  - exact (eq_ind_r (fun n => lists n T') L (proj2 (settle_keeps (at_doubles f) s m verdicts (fun _ => epoch_right _ V)
-      (fun v => coordinates_valid _ (in_domain _ _ _ St v)) (start_settles f m verdicts St)))).
+  - exact (eq_ind_r (fun n => lists n T') L (proj2 (recompute_keeps (at_doubles f) s m verdicts (fun _ => epoch_right _ V)
+      (fun v => coordinates_valid _ (in_domain _ _ _ St v)) (start_recomputes f m verdicts St)))).
 Qed.
 
 Theorem known_after e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T -> glued T' -> program_call e y T z T' ->
@@ -219,7 +219,7 @@ Proof.
   - assert (R := proj2 (inserted_ends s f e m touched verdicts T T' V Gy Ly D Mo New E G L)). cbv zeta in R. fold t in R. rewrite R.
     destruct W as [B|W]; [|now left]. right. split; [exact B|]. left. rewrite <- Mo. unfold t, placed. destruct e as [|v|v]; cbn [fold_left]; [now exists O| |now exists O].
     exists v. intros n N. cbn [place move_to moving]. now rewrite set_other.
-  - cbn [settled of_filter settle moving]. destruct W as [[-> M]|W]; [now apply stays_known|now left].
+  - cbn [recomputed of_filter recompute moving]. destruct W as [[-> M]|W]; [now apply stays_known|now left].
   - now left.
   - now left.
   - cbn [move_to with_mesh moving]. destruct w; cbn [changed] in Ch; [subst T'| |left; now apply W]; now apply one_moved with [v]; [| |try apply Ch].
@@ -243,13 +243,13 @@ Qed.
 
 (* After each of n calls: machine_delaunay (../traces) asks for no more than 2^49. *)
 Theorem program_delaunay_until n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
-  y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
+  y O = recomputed f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
   (forall i, (i < n)%nat -> program_call (e i) (y i) (T i) (y (S i)) (T (S i))) ->
   forall i, (i <= n)%nat -> triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
     forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof.
   intros St E Y G L W C. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, (in_domain _ _ _ St)).
-  destruct (@settle_keeps the_plane the_laws (at_doubles f) s m verdicts (fun _ => E) X (start_settles f m verdicts St)) as [V0 M0].
+  destruct (@recompute_keeps the_plane the_laws (at_doubles f) s m verdicts (fun _ => E) X (start_recomputes f m verdicts St)) as [V0 M0].
   assert (K : forall i, (i <= n)%nat ->
     right (y i) /\ glued (T i) /\ lists (algorithm_filter.mesh (of_filter (y i))) (T i) /\ winds_once (places (y i)) (border (T i))).
   { induction i as [|i IH]; intro Le.
@@ -265,7 +265,7 @@ Proof.
 Qed.
 
 Theorem program_delaunay f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
-  y O = settled f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
+  y O = recomputed f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
   (forall i, program_call (e i) (y i) (T i) (y (S i)) (T (S i))) -> forall i, triangulation (places (y i)) (T i) /\ delaunay (places (y i)) (T i) /\
     forall v, vertex_of (T i) v <-> present (vertex_of (T O)) e i v.
 Proof. intros St E Y G L W C i. exact (program_delaunay_until i f m verdicts s e y T St E Y G L W (fun j _ => C j) i (le_n i)). Qed.

@@ -1,15 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The chain in the plane put together: from the doubles that come in, over what the filter writes down and looks at, to a Delaunay triangulation.
 
-   - told                    of a verdict: it is what the ladder answers of these doubles, operation by operation
+   - told                    of a verdict: it is what the filtered predicate answers of these doubles, operation by operation
    - told_evaluated          such a verdict promises what the filter asks of one
    - same_record_certifies   a ridge that was not evaluated anew between two states is certified at both by one tolerance
    - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay;
                              when the program counts that, and why that is enough, is in filter_calls.v *)
 From Coq Require Import Reals ZArith Lra List.
 From Coq Require Import Floats.
-From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2 stages ladder_2.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_look algorithm_run filter_world filter_plane.
+From Annulus Require Import points_2 width_2 operations connect filter_2 filter_doubles returned_2 stages predicate_2.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_keep algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import plane_mesh plane_triangulation plane_delaunay plane_certificates flat_ridges plane_motion.
 Import ListNotations.
 Close Scope float_scope.
@@ -28,20 +28,20 @@ Definition answered_2 := answered list_length stamps_there_are worn_out no_fold.
 
 (* ---- Verdicts ---- *)
 
-(* What the ladder answers of these doubles, in whichever stage and mode. *)
-Definition told (f : doubles) (k : verdict) : Prop := exists tight,
+(* What the filtered predicate answers of these doubles, in whichever stage and mode. *)
+Definition told (f : doubles) (k : verdict) : Prop := exists correctly_rounded,
   match of k with
-  | cell a b c => says (orientation_ladder tight (f a) (f b) (f c)) False (bound k)
-  | ridge a b c => says (orientation_ladder tight (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) (bound k)
-  | circle a b p q => says (empty_sphere_ladder tight (f a) (f b) (f p) (f q)) True (bound k)
+  | cell a b c => says (orientation_predicate correctly_rounded (f a) (f b) (f c)) False (bound k)
+  | ridge a b c => says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) (bound k)
+  | circle a b p q => says (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) True (bound k)
   end.
 
 (* The comparison of coordinates is asked where the determinant is 0 only. *)
-Lemma ridge_rule f tight a b c r : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
-  says (orientation_ladder tight (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) r ->
-  says (orientation_ladder tight (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) r.
+Lemma ridge_rule f correctly_rounded a b c r : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
+  says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) r ->
+  says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) r.
 Proof.
-  intros D. destruct (orientation_2_told f tight a b c D) as [R _]. revert R. destruct (orientation_ladder _ _ _ _); trivial.
+  intros D. destruct (orientation_2_told f correctly_rounded a b c D) as [R _]. revert R. destruct (orientation_predicate _ _ _ _); trivial.
   intros Z [H ->]. split; [|reflexivity]. now apply flat_ridge_told.
 Qed.
 
@@ -49,10 +49,10 @@ Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
   told f k -> answered_2 (at_doubles f) k.
 Proof.
-  intros D P [tight H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
-  - apply (triangle_answered _ _ _ no_fold f i tight a b c t); [now intros|exact H].
-  - apply (triangle_answered _ _ _ no_fold f i tight a b c t); [now intros|]. apply (ridge_rule f tight); [now intros|exact H].
-  - destruct P. apply (circle_answered _ _ _ no_fold f i tight a b p q t); trivial; now intros.
+  intros D P [correctly_rounded H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
+  - apply (triangle_answered _ _ _ no_fold f i correctly_rounded a b c t); [now intros|exact H].
+  - apply (triangle_answered _ _ _ no_fold f i correctly_rounded a b c t); [now intros|]. apply (ridge_rule f correctly_rounded); [now intros|exact H].
+  - destruct P. apply (circle_answered _ _ _ no_fold f i correctly_rounded a b p q t); trivial; now intros.
 Qed.
 
 Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
@@ -97,12 +97,12 @@ Proof.
 Qed.
 
 (* The filter right after it evaluated everything: from whatever was before. *)
-Definition settled (f : doubles) m verdicts (s : state) : system := {| of_filter := settle (at_doubles f) s m verdicts; tracks := true |}.
+Definition recomputed (f : doubles) m verdicts (s : state) : system := {| of_filter := recompute (at_doubles f) s m verdicts; tracks := true |}.
 Definition places (y : system) : placement := moving (of_filter y).
 Definition watches (y : system) (T : plane_mesh.mesh) : Prop :=
   forall c, In c (certificates T) -> exists i, algorithm_filter.mesh (of_filter y) i = Some c.
 
-Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -> calls (settled f m verdicts s) z ->
+Theorem filter_holds f m verdicts s z : start f m verdicts -> (0 <= epoch s)%Z -> calls (recomputed f m verdicts s) z ->
   forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_2 no_fold c (places z).
 Proof.
   intros S E. assert (B := start_answered f m verdicts). destruct (S) as [D R A I C].
@@ -127,7 +127,7 @@ Proof.
   - intros n I. apply Near. destruct (C' n I) as [N _]. rewrite Er, Ea in N. exact N.
 Qed.
 
-Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls (settled f m verdicts s) z ->
+Theorem filter_delaunay f m verdicts s z T : start f m verdicts -> (0 <= epoch s)%Z -> calls (recomputed f m verdicts s) z ->
   glued T -> watches z T -> winds_once (places z) (border T) -> triangulation (places z) T /\ delaunay (places z) T.
 Proof.
   intros S E R G A W. apply (certificates_delaunay T (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds f m verdicts s z S E R).

@@ -2,14 +2,14 @@
 (* The chain in space put together: from the doubles that come in, over what the filter writes down and looks at, to Delaunay. The silhouette of
    the border is looked at, as the plane's border is (silhouette_once).
 
-   - told_evaluated_3     a verdict that is what the ladder answers of these doubles promises what the filter asks of one
+   - told_evaluated_3     a verdict that is what the filtered predicate answers of these doubles promises what the filter asks of one
    - filter_holds_3       after any calls of the filter every certificate holds where the vertices are
    - certificates_delaunay_3, filter_delaunay_3   hence the cells triangulate the convex hull, and are Delaunay *)
 From Coq Require Import Reals ZArith Lra List Permutation.
 From Coq Require Import Floats.
 From Annulus Require tetrahedron bicell plane_mesh.
-From Annulus Require Import vectors operations connect filter_2 filter_3 filter_doubles returned_3 stages ladder_3 flat_ridges_3.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_space.
+From Annulus Require Import vectors operations connect filter_2 filter_3 filter_doubles returned_3 stages predicate_3 flat_ridges_3.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_space.
 From Annulus Require Import space_mesh space_crossings space_delaunay space_triangulation space_silhouette.
 Import ListNotations.
 Close Scope float_scope.
@@ -66,37 +66,37 @@ Definition answered_in_space := answered_3 list_length stamps_there_are worn_out
 
 (* ---- Verdicts ---- *)
 
-(* What the ladder answers of these doubles, in whichever stage and mode. *)
-Definition told_in_space (f : doubles_3) (k : verdict) : Prop := exists tight,
+(* What the filtered predicate answers of these doubles, in whichever stage and mode. *)
+Definition told_in_space (f : doubles_3) (k : verdict) : Prop := exists correctly_rounded,
   match of k with
-  | cell_3 a b c d => says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) False (bound k)
-  | ridge_3 a b c d => says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) (flat_ridge_holds_3 (f a) (f b) (f c) (f d) = true) (bound k)
-  | sphere a b c p q => says (empty_sphere_ladder_3 tight (f a) (f b) (f c) (f p) (f q) where_needed) True (bound k)
+  | cell_3 a b c d => says (orientation_predicate_3 correctly_rounded (f a) (f b) (f c) (f d)) False (bound k)
+  | ridge_3 a b c d => says (orientation_predicate_3 correctly_rounded (f a) (f b) (f c) (f d)) (flat_ridge_holds_3 (f a) (f b) (f c) (f d) = true) (bound k)
+  | sphere a b c p q => says (empty_sphere_predicate_3 correctly_rounded (f a) (f b) (f c) (f p) (f q) where_needed) True (bound k)
   end.
 Definition its_cells_positive (x : placement_3) (k : verdict) : Prop :=
   match of k with sphere a b c p q => 0 < orient_at x a b c q /\ 0 < orient_at x b a c p | _ => True end.
 
-Lemma tetrahedron_says f tight a b c d rule r : (forall v, coordinates_3 (f v)) -> says (orientation_ladder_3 tight (f a) (f b) (f c) (f d)) rule r ->
+Lemma tetrahedron_says f correctly_rounded a b c d rule r : (forall v, coordinates_3 (f v)) -> says (orientation_predicate_3 correctly_rounded (f a) (f b) (f c) (f d)) rule r ->
   0 <= r /\ float_model.F r /\ 0 < orient_at (at_doubles_3 f) a b c d /\ r <= tetrahedron.half_width_simplex (corners_at (at_doubles_3 f) a b c d) \/
   r = 0 /\ orient_at (at_doubles_3 f) a b c d = 0 /\ rule.
 Proof.
-  intros D S. destruct (orientation_3_told (fun k => f (point_of (a, b, c, d) k)) (fun k => D _) tight) as [R _]. cbn [point_of] in R. revert R S.
-  destruct (orientation_ladder_3 _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
+  intros D S. destruct (orientation_3_told (fun k => f (point_of (a, b, c, d) k)) (fun k => D _) correctly_rounded) as [R _]. cbn [point_of] in R. revert R S.
+  destruct (orientation_predicate_3 _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
   - intros Z [Q ->]. right. split; [reflexivity|]. split; [exact Z|exact Q].
   - intros (_ & P & T0 & T) ->. left. split; [exact T0|]. split; [apply value_format|]. split; [exact P|exact T].
 Qed.
 
-Lemma sphere_says f tight a b c p q rule r : (forall v, coordinates_3 (f v)) ->
-  says (empty_sphere_ladder_3 tight (f a) (f b) (f c) (f p) (f q) where_needed) rule r ->
+Lemma sphere_says f correctly_rounded a b c p q rule r : (forall v, coordinates_3 (f v)) ->
+  says (empty_sphere_predicate_3 correctly_rounded (f a) (f b) (f c) (f p) (f q) where_needed) rule r ->
   0 <= r /\ float_model.F r /\ 0 < insphere_at (at_doubles_3 f) a b c p q /\
     r <= Rmax 0 (sign_tolerance_3.own_tolerance_3 (bicell_at (at_doubles_3 f) a b c p q)) \/
   r = 0 /\ insphere_at (at_doubles_3 f) a b c p q = 0 /\ rule.
 Proof.
   intros D S. destruct (empty_sphere_3_told (fun k =>
     match k with bicell.a => f a | bicell.b => f b | bicell.c => f c | bicell.p => f p | bicell.q => f q end)
-    ltac:(intros []; apply D) tight where_needed) as [R _]. unfold sphere_ladder in R.
+    ltac:(intros []; apply D) correctly_rounded where_needed) as [R _]. unfold sphere_predicate in R.
   replace (fun k => at_3 _) with (bicell_at (at_doubles_3 f) a b c p q) in R by (apply FunctionalExtensionality.functional_extensionality; now intros []).
-  revert R S. destruct (empty_sphere_ladder_3 _ _ _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
+  revert R S. destruct (empty_sphere_predicate_3 _ _ _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
   - intros Z [Q ->]. right. split; [reflexivity|]. split; [exact Z|exact Q].
   - intros (_ & P & T0 & T) ->. left. split; [exact T0|]. split; [apply value_format|]. split; [exact P|exact T].
 Qed.
@@ -104,11 +104,11 @@ Qed.
 Lemma told_answered_3 f k : (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
   told_in_space f k -> answered_in_space (at_doubles_3 f) k.
 Proof.
-  intros D P [tight H]. destruct k as [i c t]. unfold its_cells_positive in P. cbn [of bound] in *. destruct c as [a b c d|a b c d|a b c p q].
-  - destruct (tetrahedron_says f tight a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|contradiction].
-  - destruct (tetrahedron_says f tight a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|].
+  intros D P [correctly_rounded H]. destruct k as [i c t]. unfold its_cells_positive in P. cbn [of bound] in *. destruct c as [a b c d|a b c d|a b c p q].
+  - destruct (tetrahedron_says f correctly_rounded a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|contradiction].
+  - destruct (tetrahedron_says f correctly_rounded a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|].
     right. split; [reflexivity|]. right. split; [exact Z|]. apply flat_ridge_told_3; [|exact Z|exact Q]. intros v [<-|[<-|[<-|[<-|[]]]]]; apply D.
-  - destruct P as [P1 P2]. destruct (sphere_says f tight a b c p q _ t D H) as [(T0 & T1 & V & T)|(-> & Z & _)].
+  - destruct P as [P1 P2]. destruct (sphere_says f correctly_rounded a b c p q _ t D H) as [(T0 & T1 & V & T)|(-> & Z & _)].
     + revert T. unfold Rmax. destruct (Rle_dec 0 _); intro T.
       * left. split; [exact T0|]. split; [exact T1|]. repeat split; trivial.
       * right. split; [now apply Rle_antisym|]. now left.
@@ -144,12 +144,12 @@ Proof.
 Qed.
 
 (* The filter right after it evaluated everything: from whatever was before. *)
-Definition settled_in_space (f : doubles_3) m verdicts (s : state) : system := {| of_filter := settle (at_doubles_3 f) s m verdicts; tracks := true |}.
+Definition recomputed_in_space (f : doubles_3) m verdicts (s : state) : system := {| of_filter := recompute (at_doubles_3 f) s m verdicts; tracks := true |}.
 Definition places_3 (y : system) : placement_3 := moving (of_filter y).
 Definition watches_3 (y : system) (T : mesh_3) (U L : plane_mesh.mesh) : Prop :=
   forall c, In c (certificates_3 T U L) -> exists i, algorithm_filter.mesh (of_filter y) i = Some c.
 
-Theorem filter_holds_3 f m verdicts s z : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (settled_in_space f m verdicts s) z ->
+Theorem filter_holds_3 f m verdicts s z : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (recomputed_in_space f m verdicts s) z ->
   forall i c, algorithm_filter.mesh (of_filter z) i = Some c -> holds_3 no_fold_3 c (places_3 z).
 Proof.
   intros S E. assert (B := start_answered_3 f m verdicts). destruct (S) as [D R A I C].
@@ -158,7 +158,7 @@ Proof.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
 Qed.
 
-Theorem filter_delaunay_3 f m verdicts s z T U L : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (settled_in_space f m verdicts s) z ->
+Theorem filter_delaunay_3 f m verdicts s z T U L : start_in_space f m verdicts -> (0 <= epoch s)%Z -> calls (recomputed_in_space f m verdicts s) z ->
   glued_3 T -> watches_3 z T U L -> silhouette_once (places_3 z) T U L -> triangulation_3 (places_3 z) T /\ delaunay_3 (places_3 z) T.
 Proof.
   intros S E R G A B. apply (certificates_delaunay_3 T U L (algorithm_filter.mesh (of_filter z))); trivial. exact (filter_holds_3 f m verdicts s z S E R).

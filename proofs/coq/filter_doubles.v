@@ -2,15 +2,15 @@
 (* The arithmetic of `filter` errs on the right side: what algorithm_filter.v asks of it in `laws`, for the operations of the code in
    binary64, all numbers of the format (src/annulus/engine/tolerance_strategy.h, displacement.h).
 
-   - reading_above_2, _3     Displacement_budget::reading is a number and at least base + distance
+   - path_length_above_2, _3     Displacement_budget::path_length is a number and at least base + distance
    - threshold_below_2, _3   Displacement_budget::set_threshold and passes, the threshold rounded down to an upper half: base + distance < earliest
    - sum_lower_down, less_down   what commit_points and rebase write
    - distance_zero_2, distance_zero_3, distance_triangle_2, distance_triangle_3     distances are a metric
 
-   Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (high_word.v). *)
+   Numbers as in float_model.v: IEEE 754 without overflow; an infinite expiry is 2^1024 (truncated_double.v). *)
 Require Import Reals Lra Psatz ZArith Rgeom.
 From Flocq Require Import Core.
-From Annulus Require Import points_2 float_model float_error float_tail float_sums float_displacement vectors algorithm_list high_word.
+From Annulus Require Import points_2 float_model float_error float_tail float_sums float_displacement vectors algorithm_list truncated_double.
 Open Scope R_scope.
 
 Lemma F_value e : (0 <= e)%Z -> F (value e).
@@ -38,7 +38,7 @@ Proof.
   - rewrite lower_clips, value_0 in L by exact P. destruct C as (_ & C & _). lra.
 Qed.
 
-Lemma reading_up b d : F b -> F d -> 0 <= b -> 0 <= d -> F (sum_upper b d) /\ b + d <= sum_upper b d.
+Lemma path_length_up b d : F b -> F d -> 0 <= b -> 0 <= d -> F (sum_upper b d) /\ b + d <= sum_upper b d.
 Proof. intros. split; [apply F_rnd|now apply sum_upper_sound]. Qed.
 
 Lemma F_distance_upper q r : F (distance_upper q r).
@@ -48,15 +48,15 @@ Proof. unfold distance_upper. destruct (Rlt_dec _ _); apply F_rnd. Qed.
 
 Definition valid_2 (p : point_2) : Prop := in_domain (fst p) /\ in_domain (snd p).
 Definition dist_2 (f p : point_2) : R := distance_2 (fst p) (snd p) (fst f) (snd f).
-Definition reading_2 (b : R) (f p : point_2) : R := sum_upper b (distance_upper_2 (fst p) (snd p) (fst f) (snd f)).
+Definition path_length_2 (b : R) (f p : point_2) : R := sum_upper b (distance_upper_2 (fst p) (snd p) (fst f) (snd f)).
 Definition below_2 (f p : point_2) (r : R) : bool := if Rlt_dec (squared_distance_2 (fst p) (snd p) (fst f) (snd f)) r then true else false.
 
-Theorem reading_above_2 b f p : F b -> 0 <= b -> valid_2 f -> valid_2 p -> F (reading_2 b f p) /\ b + dist_2 f p <= reading_2 b f p.
+Theorem path_length_above_2 b f p : F b -> 0 <= b -> valid_2 f -> valid_2 p -> F (path_length_2 b f p) /\ b + dist_2 f p <= path_length_2 b f p.
 Proof.
   intros B B0 [[F1 _] [F2 _]] [[P1 _] [P2 _]]. assert (D := distance_upper_2_sound _ _ _ _ P1 P2 F1 F2). fold (dist_2 f p) in D.
   assert (D0 : 0 <= dist_2 f p) by apply sqrt_pos.
-  destruct (reading_up b (distance_upper_2 (fst p) (snd p) (fst f) (snd f)) B (F_distance_upper _ _) B0 ltac:(lra)) as [A C].
-  split; [exact A|]. unfold reading_2. lra.
+  destruct (path_length_up b (distance_upper_2 (fst p) (snd p) (fst f) (snd f)) B (F_distance_upper _ _) B0 ltac:(lra)) as [A C].
+  split; [exact A|]. unfold path_length_2. lra.
 Qed.
 
 Theorem threshold_below_2 e b f p : (0 <= e <= never)%Z -> F b -> 0 <= b -> valid_2 f -> valid_2 p ->
@@ -81,17 +81,17 @@ Proof. rewrite dist_2_euc. apply distance_refl. Qed.
 
 Definition valid_3 (p : vec) : Prop := in_domain (X1 p) /\ in_domain (X2 p) /\ in_domain (X3 p).
 Definition dist_3 (f p : vec) : R := distance_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f).
-Definition reading_3 (b : R) (f p : vec) : R := sum_upper b (distance_upper_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f)).
+Definition path_length_3 (b : R) (f p : vec) : R := sum_upper b (distance_upper_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f)).
 Definition below_3 (f p : vec) (r : R) : bool :=
   if Rlt_dec (squared_distance_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f)) r then true else false.
 
-Theorem reading_above_3 b f p : F b -> 0 <= b -> valid_3 f -> valid_3 p -> F (reading_3 b f p) /\ b + dist_3 f p <= reading_3 b f p.
+Theorem path_length_above_3 b f p : F b -> 0 <= b -> valid_3 f -> valid_3 p -> F (path_length_3 b f p) /\ b + dist_3 f p <= path_length_3 b f p.
 Proof.
   intros B B0 ([F1 _] & [F2 _] & [F3 _]) ([P1 _] & [P2 _] & [P3 _]).
   assert (D := distance_upper_3_sound _ _ _ _ _ _ P1 P2 P3 F1 F2 F3). fold (dist_3 f p) in D.
   assert (D0 : 0 <= dist_3 f p) by apply sqrt_pos.
-  destruct (reading_up b (distance_upper_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f)) B (F_distance_upper _ _) B0 ltac:(lra)) as [A C].
-  split; [exact A|]. unfold reading_3. lra.
+  destruct (path_length_up b (distance_upper_3 (X1 p) (X2 p) (X3 p) (X1 f) (X2 f) (X3 f)) B (F_distance_upper _ _) B0 ltac:(lra)) as [A C].
+  split; [exact A|]. unfold path_length_3. lra.
 Qed.
 
 Theorem threshold_below_3 e b f p : (0 <= e <= never)%Z -> F b -> 0 <= b -> valid_3 f -> valid_3 p ->

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* algorithm_run.v with the certificates of the plane and the arithmetic of the code: nothing of `world` and `laws` is left to believe, and what
-   is asked of a verdict is what the ladder answers, a number that is at most half a least altitude or half a width (docs/theory.md 2.1, 2.2).
+   is asked of a verdict is what the filtered predicate answers, a number that is at most half a least altitude or half a width (docs/theory.md 2.1, 2.2).
 
    - verdict_evaluated      such a verdict promises what the model needs
    - plane_filter_is_right  after any calls every triangle is positive, every circle empty, every ridge of the border convex
@@ -8,8 +8,8 @@
    Vertices are numbers. A cell is written with its least vertex first, so that the circle of a facet can name its two cells. Where a determinant is 0 the
    certificate may hold by a rule (degenerate.h: the perturbation, a border that does not fold back): `tie`, any statement about the points. *)
 Require Import Reals Lra Psatz ZArith Rgeom List Bool Arith.
-From Annulus Require Import points_2 float_model float_displacement float_sums width_2 sign_tolerance_2 high_word filter_doubles.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run filter_world.
+From Annulus Require Import points_2 float_model float_displacement float_sums width_2 sign_tolerance_2 truncated_double filter_doubles.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -38,9 +38,9 @@ Proof.
 Qed.
 
 Definition metric_2 : metric := {|
-  site := point_2; same_site := same_point; distance := dist_2; in_box := valid_2; read := reading_2; is_below := below_2;
+  site := point_2; same_site := same_point; distance := dist_2; in_box := valid_2; read := path_length_2; is_below := below_2;
   same_site_right := same_point_right; distance_nonneg := fun p q => sqrt_pos _; distance_zero := distance_zero_2;
-  distance_triangle := distance_triangle_2; read_above := reading_above_2; threshold_holds := threshold_below_2 |}.
+  distance_triangle := distance_triangle_2; read_above := path_length_above_2; threshold_holds := threshold_below_2 |}.
 
 Section plane.
 Variables (capacity : nat) (stamps : Z) (worn : R -> expiry_list -> bool).
@@ -72,7 +72,7 @@ Proof.
   unfold least_first. destruct (_ && _)%bool; [trivial|]. destruct (_ && _)%bool; simpl; unfold turn_at, turning, turn; lra.
 Qed.
 
-(* ---- What the ladder answers ---- *)
+(* ---- What the filtered predicate answers ---- *)
 
 Definition half_altitude_at (x : nat -> point_2) a b c : R := half_altitude (fst (x a)) (snd (x a)) (fst (x b)) (snd (x b)) (fst (x c)) (snd (x c)).
 Definition half_width_at (x : nat -> point_2) a b p q : R :=
@@ -114,12 +114,12 @@ Proof.
   - split; cbn [of bound]; [now apply (holds_sound _ _ _ metric_2 family_2 holds_2_local)|exact (Rle_refl 0)|exact F_0].
 Qed.
 
-(* Whatever is repaired, inserted, settled in between. *)
+(* Whatever is repaired, inserted, recomputed in between. *)
 Theorem plane_filter_is_right s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid_2 (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d) ->
-  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := recompute x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_2 c (moving (of_filter z)).
 Proof.
   intros E X K A I C R. apply (evaluated_holds _ _ _ metric_2 family_2 stamps_pos counts_on_2_wf holds_2_local s x m verdicts z); trivial.

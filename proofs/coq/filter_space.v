@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* algorithm_run.v with the certificates of space and the arithmetic of the code, as filter_plane.v for the plane: what is asked of a verdict is what the
-   ladder answers, a number that is at most half the width of a tetrahedron or the tolerance of an empty sphere whose cells have records of their own
+   filtered predicate answers, a number that is at most half the width of a tetrahedron or the tolerance of an empty sphere whose cells have records of their own
    (docs/theory.md 2.1, 2.2; sign_tolerance_3.v, own_tolerance_3).
 
    - least_first_turned     a cell has one name, however its corners are turned
@@ -65,9 +65,9 @@ Proof.
 Qed.
 
 Definition metric_3 : metric := {|
-  site := vec; same_site := same_point_3; distance := dist_3; in_box := valid_3; read := reading_3; is_below := below_3;
+  site := vec; same_site := same_point_3; distance := dist_3; in_box := valid_3; read := path_length_3; is_below := below_3;
   same_site_right := same_point_3_right; distance_nonneg := fun p q => sqrt_pos _; distance_zero := distance_zero_3;
-  distance_triangle := distance_triangle_3; read_above := reading_above_3; threshold_holds := threshold_below_3 |}.
+  distance_triangle := distance_triangle_3; read_above := path_length_above_3; threshold_holds := threshold_below_3 |}.
 
 Definition orient_at (m : placement_3) a b c d : R := orient (m a) (m b) (m c) (m d).
 
@@ -105,7 +105,7 @@ Proof.
     intro H; apply K in H; apply Rlt_le_trans with (1 := H), Req_le; unfold orient_at, orient; vector.
 Qed.
 
-(* ---- What the ladder answers ---- *)
+(* ---- What the filtered predicate answers ---- *)
 
 Definition corners_at (x : placement_3) a b c d : tetrahedron.corners := fun k => x (point_of (a, b, c, d) k).
 Definition bicell_at (x : placement_3) a b c p q : bicell.placement := fun k =>
@@ -164,7 +164,7 @@ Theorem space_filter_is_right s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid_3 (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ answered_3 x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on_3 d c -> exists j, m j = Some d) ->
-  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := recompute x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds_3 c (moving (of_filter z)).
 Proof.
   intros E X K A I C R.

@@ -3,7 +3,7 @@
 
    - stepped_untouched   so: a rebase moves bases and expiries, nothing else is written *)
 Require Import Reals ZArith List Bool.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_step algorithm_run.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_step algorithm_run.
 Import ListNotations.
 
 Section untouched.

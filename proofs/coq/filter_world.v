@@ -7,8 +7,8 @@
    - near_or_same            within a tolerance: all points are closer than it, or it is 0 and all are at their references
    - evaluated_holds         after any calls every certificate holds, if verdicts promise what `evaluated` says *)
 Require Import Reals Lra Lia ZArith List Bool Arith.
-From Annulus Require Import float_model float_sums high_word filter_doubles.
-From Annulus Require Import algorithm_list algorithm_filter algorithm_look algorithm_run.
+From Annulus Require Import float_model float_sums truncated_double filter_doubles.
+From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -61,7 +61,7 @@ Record family (P : Type) := {
   is_true : kind -> (nat -> P) -> Prop;
   relies_on : kind -> kind -> Prop }.      (* relies_on d c: c is certified given d *)
 
-(* What is left open: the length of lists, after how many steps stamps wrap, when an odometer starts again. *)
+(* What is left open: the length of lists, after how many steps stamps wrap, when a displacement budget starts again. *)
 Class options := Options {
   list_length : nat; stamps_there_are : Z; worn_out : R -> expiry_list -> bool; stamps_positive : (0 < stamps_there_are)%Z }.
 
@@ -74,7 +74,7 @@ Variables (D : metric) (K : family (site D)).
   dist := distance D; points := points_of _ K; holds := is_true _ K; counts_on := relies_on _ K;
   algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps; algorithm_filter.worn := worn;
   around := around_all (points_of _ K);
-  num := R; real := fun b => b; zero := 0; valid := in_box D; number := F; reading_of := read D; below := is_below D;
+  num := R; real := fun b => b; zero := 0; valid := in_box D; number := F; path_length_of := read D; below := is_below D;
   algorithm_filter.threshold := filter_doubles.threshold;
   sum_lower := float_sums.sum_lower; less := filter_doubles.less;
   half := lower |}.
@@ -123,12 +123,12 @@ Proof.
   intros v I. generalize (distance_nonneg D (x v) (m v)). assert (L' := L v I). change (distance D (x v) (m v) < 0) in L'. lra.
 Qed.
 
-(* Whatever is repaired, inserted, settled in between. *)
+(* Whatever is repaired, inserted, recomputed in between. *)
 Theorem evaluated_holds s x m verdicts z :
   (nat -> (0 <= epoch s)%Z) -> (forall v, valid (x v)) ->
   (forall k, In k verdicts -> m (id k) = Some (of k) /\ evaluated x k) -> (forall i c, m i = Some c -> In i (map id verdicts)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall i c d, m i = Some c -> counts_on d c -> exists j, m j = Some d) ->
-  calls {| of_filter := settle x s m verdicts; tracks := true |} z ->
+  calls {| of_filter := recompute x s m verdicts; tracks := true |} z ->
   forall i c, mesh (of_filter z) i = Some c -> holds c (moving (of_filter z)).
 Proof.
   intros E X V A I C R. apply (from_the_start s x m verdicts z E X); [|exact R]. split; trivial.

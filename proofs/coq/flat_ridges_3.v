@@ -18,9 +18,9 @@ Definition seen (i : axis) (p : vector_3 machine) : filter_2.vector machine :=
   | along_y => Build_vector machine (z3 _ p) (x3 _ p)
   | along_z => Build_vector machine (x3 _ p) (y3 _ p)
   end.
-(* The sign that the ladder says when no tolerance is asked for. *)
+(* The sign that the filtered predicate says when no tolerance is asked for. *)
 Definition side_sign (a b c : filter_2.vector machine) : Z :=
-  match ladder false (orientation_filter machine a b c false) (orientation_interval a b c) (orientation_exact a b c) with
+  match staged false (orientation_filter machine a b c false) (orientation_interval a b c) (orientation_exact a b c) with
   | negative _ => -1 | filter_2.positive _ => 1 | _ => 0
   end.
 Fixpoint sides_differ (axes : list axis) (u w c d : vector_3 machine) : bool :=
@@ -42,7 +42,7 @@ Proof.
   intros A B C t. set (f := fun n => match n with 0%nat => a | 1%nat => b | _ => c end).
   assert (R := orientation_2_floating f 0%nat 1%nat 2%nat ltac:(intros v [<-|[<-|[<-|[]]]]; assumption)).
   destruct (orientation_exact_returned f 0%nat 1%nat 2%nat) as [_ N]. cbn [f] in R, N. change (turn_at _ _ _ _) with t in R.
-  unfold side_sign. revert R. unfold ladder, or_else, right_sign.
+  unfold side_sign. revert R. unfold staged, or_else, right_sign.
   destruct (orientation_filter machine a b c false); [|tauto..]. destruct (orientation_interval a b c); [|tauto..].
   destruct (orientation_exact a b c); [contradiction|tauto..].
 Qed.

@@ -2,7 +2,7 @@
 (* The filter of the empty sphere in space, float_sphere_3.v, is right.
 
    - bicell_filter_sound   signs are right; a certified tolerance is at most the exact half width of each of the four annuli, and of the two
-     cells where they are asked for; a partition that is not reported as backward has a positive sum of lambda
+     cells where they are asked for; a partition that is not reported as on the wrong side has a positive sum of lambda
    - bicell_answer_sound   an answer was given in the range of the filter
 
    In this order: the two cells, the sums of lambda, the norms of one partition, all four annuli, the answer. *)
@@ -114,11 +114,11 @@ Proof.
 Qed.
 
 Lemma sides_right :
-  (is_backward a b c p q l2 = false -> 0 < l2 t) /\
-  (is_backward a b c p q l3 = false -> 0 < l3 t) /\
-  (is_backward a b c p q minus_l4 = false -> 0 < minus_l4 t).
+  (on_wrong_side a b c p q l2 = false -> 0 < l2 t) /\
+  (on_wrong_side a b c p q l3 = false -> 0 < l3 t) /\
+  (on_wrong_side a b c p q minus_l4 = false -> 0 < minus_l4 t).
 Proof.
-  unfold is_backward. split; [| split]; destruct Rlt_dec as [L |]; try discriminate; intros _.
+  unfold on_wrong_side. split; [| split]; destruct Rlt_dec as [L |]; try discriminate; intros _.
   - exact (sum_positive (l2 E_bicell) _ (or_intror (or_introl eq_refl)) eq_refl L).
   - exact (sum_positive (l3 E_bicell) _ (or_intror (or_intror (or_introl eq_refl))) eq_refl L).
   - exact (sum_positive (minus_l4 E_bicell) _ (or_intror (or_intror (or_intror (or_introl eq_refl)))) eq_refl L).
@@ -257,9 +257,9 @@ Qed.
 
 Theorem bicell_filter_sound :
   bicell_sound (bicell_filter a b c p q certified use) certified (cells_needed a b c p q use) t /\
-  (is_backward a b c p q l2 = false -> 0 < l2 t) /\
-  (is_backward a b c p q l3 = false -> 0 < l3 t) /\
-  (is_backward a b c p q minus_l4 = false -> 0 < minus_l4 t).
+  (on_wrong_side a b c p q l2 = false -> 0 < l2 t) /\
+  (on_wrong_side a b c p q l3 = false -> 0 < l3 t) /\
+  (on_wrong_side a b c p q minus_l4 = false -> 0 < minus_l4 t).
 Proof.
   split; [| exact sides_right]. intros sign value A. unfold bicell_filter in A. fold m f e n roots in A.
   destruct (in_range_dec 100 m) as [_ |]; [| discriminate].

@@ -38,18 +38,18 @@ Let t := bicell_computed.
 Definition norm_sum (n k : vector R) : R := root_sum (F_square n) (F_square k).
 
 (* Partitions 1, 2, 3: ab|cpq, ca|bpq, bc|apq. *)
-Definition is_backward (side : bicell R -> R) : bool :=
+Definition on_wrong_side (side : bicell R -> R) : bool :=
   if Rlt_dec (error_bound 169 (power_3 m)) (side t) then false else true.
 
 Definition cells_needed : bool :=
   match use with
   | never => false
   | always => true
-  | where_needed => is_backward l2 || is_backward l3 || is_backward minus_l4
+  | where_needed => on_wrong_side l2 || on_wrong_side l3 || on_wrong_side minus_l4
   end.
 
 (* A tolerance that the cells lower is no answer where a sum may be positive or not, and none is certainly not. *)
-Definition certainly_backward (side : bicell R -> R) : bool :=
+Definition certainly_wrong_side (side : bicell R -> R) : bool :=
   if Rlt_dec (side t) (- error_bound 169 (power_3 m)) then true else false.
 Definition lowered (annuli whole : option (Z * R)) : bool :=
   match annuli, whole with
@@ -58,7 +58,7 @@ Definition lowered (annuli whole : option (Z * R)) : bool :=
   end.
 Definition in_doubt (annuli whole : option (Z * R)) : bool :=
   match use with
-  | where_needed => certified && negb (certainly_backward l2 || certainly_backward l3 || certainly_backward minus_l4) && lowered annuli whole
+  | where_needed => certified && negb (certainly_wrong_side l2 || certainly_wrong_side l3 || certainly_wrong_side minus_l4) && lowered annuli whole
   | _ => false
   end.
 
@@ -78,7 +78,7 @@ End code.
 
 Definition bicell_truth a b c p q := R_bicell (R_difference b a) (R_difference c a) (R_difference p a) (R_difference q a).
 
-(* An answer for the bi-cell, and which partitions are certainly not backward. *)
+(* An answer for the bi-cell, and which partitions are certainly not on the wrong side. *)
 Definition bicell_sound (answer : option (Z * R)) (certified needed : bool) (t : bicell R) : Prop :=
   forall sign value, answer = Some (sign, value) ->
   sign = 1%Z /\ 0 < determinant t /\ (needed = true -> 0 < cell_p t /\ 0 < cell_q t) /\

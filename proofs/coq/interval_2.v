@@ -94,8 +94,8 @@ Definition back (s : option (double * double)) (y : double) : double :=
 Definition interval_slack := (0x1p-10)%float.
 Definition sum_of_roots (a b : double) := plus mode_UP (root_of mode_UP a) (root_of mode_UP b).
 
-(* quotient_lower_tight, None where it is not tight; det is positive. *)
-Definition quotient_lower_tight (det : interval) (roots_most roots_least : double) : option double :=
+(* quotient_lower_in_slack, None where it is not within slack; det is positive. *)
+Definition quotient_lower_in_slack (det : interval) (roots_most roots_least : double) : option double :=
   let low := quotient_lower (lower det) roots_most in
   if Bleb (minus mode_UP (over mode_UP (upper det) roots_least) low) (Bopp (times mode_UP (Bopp (of_float interval_slack)) low))
   then Some low else None.
@@ -103,7 +103,7 @@ Definition quotient_lower_tight (det : interval) (roots_most roots_least : doubl
 Definition accept_interval (s : option (double * double)) (t : width_terms intervals) : answer float :=
   let det := determinant _ t : interval in
   if below nought (lower det) then
-    match quotient_lower_tight det (sum_of_roots (upper (inner _ t)) (upper (outer _ t)))
+    match quotient_lower_in_slack det (sum_of_roots (upper (inner _ t)) (upper (outer _ t)))
                                    (sum_of_roots (lower (inner _ t)) (lower (outer _ t))) with
     | Some low => positive (to_float (back s low))
     | None => refused

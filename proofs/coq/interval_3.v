@@ -16,10 +16,10 @@ Definition orientation_3_interval (a b c d : vector_3 machine) : answer float :=
   let s := scale_of (largest_coordinate (pairs_3 b a ++ pairs_3 c a ++ pairs_3 d a)) in
   accept_interval s (orientation_terms_3 intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s d a)).
 
-(* width_lower: None where the cell is not certainly positive or its width not tight. *)
+(* width_lower: None where the cell is not certainly positive or its width not within slack. *)
 Definition width_lower (det slab : interval) : option double :=
   if below nought (lower det) then
-    quotient_lower_tight det (sum_of_roots (upper slab) (upper slab)) (sum_of_roots (lower slab) (lower slab))
+    quotient_lower_in_slack det (sum_of_roots (upper slab) (upper slab)) (sum_of_roots (lower slab) (lower slab))
   else None.
 
 (* The greatest, from 0 on, of a number of each partition. *)
@@ -31,13 +31,13 @@ Definition roots (bound : interval -> double) (k : partition intervals) : double
 Definition accept_bicell (s : option (double * double)) (t : bicell_terms intervals) (use : cells) : answer float :=
   let det := insphere _ t : interval in
   let sides := [side _ (ab_cpq _ t) : interval; side _ (ca_bpq _ t) : interval; side _ (bc_apq _ t) : interval] in
-  let backward := existsb (fun l => negb (below nought (lower l))) sides in
+  let wrong_side := existsb (fun l => negb (below nought (lower l))) sides in
   let certainly := existsb (fun l => Bleb (upper l) nought) sides in
   if below nought (lower det) then
-    match quotient_lower_tight det (greatest (roots upper) t) (greatest (roots lower) t) with
+    match quotient_lower_in_slack det (greatest (roots upper) t) (greatest (roots lower) t) with
     | None => refused
     | Some annuli =>
-        if match use with never => false | where_needed => backward | always => true end then
+        if match use with never => false | where_needed => wrong_side | always => true end then
           match width_lower (cell_p _ t) (cell_p_slab _ t), width_lower (cell_q _ t) (cell_q_slab _ t) with
           | Some p, Some q =>
               if match use with where_needed => negb certainly && below (least p q) annuli | _ => false end

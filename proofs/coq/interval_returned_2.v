@@ -41,9 +41,9 @@ Lemma accept_right s t t' w : good_scale s -> holds_terms t t' -> 0 <= inner _ t
   right_answer (accept_interval s t) (determinant _ t') w.
 Proof.
   intros G (D & I & O) PI PO W. unfold accept_interval. cbv zeta. destruct (below nought _) eqn:P.
-  - destruct (quotient_lower_tight _ _ _) as [low|] eqn:T; [|exact Logic.I]. destruct (positive_end _ _ P D) as (_ & L & L').
+  - destruct (quotient_lower_in_slack _ _ _) as [low|] eqn:T; [|exact Logic.I]. destruct (positive_end _ _ P D) as (_ & L & L').
     assert (P' : 0 < determinant _ t') by lra. destruct (W P') as [W' R].
-    destruct (tight_lower _ _ _ _ _ _ P D R (sum_of_roots_above _ _ _ _ PI PO (proj2 I) (proj2 O)) T) as (F & H).
+    destruct (in_slack_lower _ _ _ _ _ _ P D R (sum_of_roots_above _ _ _ _ PI PO (proj2 I) (proj2 O)) T) as (F & H).
     fold (half_width t') in H. rewrite W' in H. destruct (back_lower s low w G F H). simpl. auto.
   - destruct (below (upper _) nought) eqn:N; [|exact Logic.I]. exact (negative_end _ _ N D).
 Qed.

@@ -78,7 +78,7 @@ Proof. assert (K := factor_positive). unfold Rmin. destruct (Rle_dec r e) as [L|
 
 (* The annuli. *)
 Lemma annuli_lower low : below nought (lower (insphere _ t)) = true ->
-  quotient_lower_tight (insphere _ t) (greatest (roots upper) t) (greatest (roots lower) t) = Some low ->
+  quotient_lower_in_slack (insphere _ t) (greatest (roots upper) t) (greatest (roots lower) t) = Some low ->
   0 < det x /\ is_finite low = true /\ 0 <= B2R low <= annuli_half_width x * k.
 Proof.
   intros P T. destruct encloses as (D & (E1 & E2 & E3 & E4) & _). destruct (positive_end _ _ P D) as (_ & L). assert (K := factor_positive).
@@ -95,7 +95,7 @@ Proof.
   { unfold greatest. simpl fold_left. unfold M. repeat apply above_most; try (apply roots_above; assumption). left. split; [reflexivity|apply Rle_refl]. }
   assert (M1 : real_roots (abc_pq _ t') <= M) by (unfold M; leaf). assert (M2 : real_roots (ab_cpq _ t') <= M) by (unfold M; leaf).
   assert (M3 : real_roots (ca_bpq _ t') <= M) by (unfold M; leaf). assert (M4 : real_roots (bc_apq _ t') <= M) by (unfold M; leaf).
-  destruct (tight_lower _ _ _ _ _ M P D ltac:(lra) G T) as (F & Q0 & Q). split; [exact F|]. split; [exact Q0|].
+  destruct (in_slack_lower _ _ _ _ _ M P D ltac:(lra) G T) as (F & Q0 & Q). split; [exact F|]. split; [exact Q0|].
   assert (H : B2R low <= annuli_half_width (scaled k x)).
   { rewrite annuli_are by exact D'. rewrite is_real. repeat apply Rmin_glb; apply (smaller_quotient (insphere _ t') _ M _ Di); assumption. }
   apply Rle_trans with (1 := H). right. unfold annuli_half_width. rewrite !half_width_scaled by exact K. rewrite <- !Rmin_factor, !(Rmult_comm k). reflexivity.
@@ -107,7 +107,7 @@ Lemma cell_lower d l (y : corners) low : holds d (volume (scaled k y)) -> (exist
 Proof.
   intros D (l' & L & P & E) W. assert (K := factor_positive). unfold width_lower in W. destruct (below nought (lower d)) eqn:Pos; [|discriminate].
   destruct (positive_end _ _ Pos D) as (_ & V). destruct (cell_half (scaled k y) _ l' eq_refl E ltac:(lra)) as [H R].
-  destruct (tight_lower _ _ _ _ _ _ Pos D R (sum_of_roots_above _ _ _ _ P P (proj2 L) (proj2 L)) W) as (F & Q0 & Q).
+  destruct (in_slack_lower _ _ _ _ _ _ Pos D R (sum_of_roots_above _ _ _ _ P P (proj2 L) (proj2 L)) W) as (F & Q0 & Q).
   split; [exact F|]. split; [exact Q0|]. unfold integers_2.half_width, of_cell in H. cbn [determinant inner outer] in H. rewrite H in Q.
   rewrite simplex_scaled in Q by exact K. lra.
 Qed.
@@ -140,7 +140,7 @@ Proof.
     destruct (positive_end _ _ B2 S2) as (_ & H2). destruct (positive_end _ _ B3 S3) as (_ & H3). destruct (positive_end _ _ B4 S4) as (_ & H4).
     repeat split; apply Rmult_lt_reg_l with (1 := K3); lra. }
   destruct (below nought _) eqn:P.
-  - destruct (quotient_lower_tight _ _ _) as [low|] eqn:T; [|exact Logic.I]. destruct (annuli_lower low P T) as (D & F & H). rewrite factor in H.
+  - destruct (quotient_lower_in_slack _ _ _) as [low|] eqn:T; [|exact Logic.I]. destruct (annuli_lower low P T) as (D & F & H). rewrite factor in H.
     set (taken := match use with never => false | where_needed => back' | always => true end).
     assert (Al : use = always -> taken = true) by (now intros ->). assert (Wh : use = where_needed -> taken = false -> 0 < Lam x cpq /\ 0 < Lam x bpq /\ 0 < Lam x apq).
     { intros -> N. now apply Back. }

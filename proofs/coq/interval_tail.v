@@ -3,7 +3,7 @@
 
    - scale_good            of coordinates in the domain the factors of the scale are finite and positive, whatever the differences
    - holds_difference      the interval of a scaled difference holds it
-   - tight_lower           what quotient_lower_tight gives is at most determinant over roots, and finite
+   - in_slack_lower           what quotient_lower_in_slack gives is at most determinant over roots, and finite
    - back_lower            the scale undone: still at most the truth, and finite *)
 From Coq Require Import Reals Lra Lia Psatz ZArith Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
@@ -111,10 +111,10 @@ Proof.
   revert P. case Rlt_bool_spec; intros; [|discriminate]. change (B2R nought) with 0 in *. lra.
 Qed.
 
-Lemma tight_lower det most_roots least_roots low x roots : below nought (lower det) = true -> holds det x -> 0 < roots -> above most_roots roots ->
-  quotient_lower_tight det most_roots least_roots = Some low -> is_finite low = true /\ 0 <= B2R low <= x / roots.
+Lemma in_slack_lower det most_roots least_roots low x roots : below nought (lower det) = true -> holds det x -> 0 < roots -> above most_roots roots ->
+  quotient_lower_in_slack det most_roots least_roots = Some low -> is_finite low = true /\ 0 <= B2R low <= x / roots.
 Proof.
-  intros P H Y A T. unfold quotient_lower_tight in T. destruct (positive_end _ _ P H) as (F & L).
+  intros P H Y A T. unfold quotient_lower_in_slack in T. destruct (positive_end _ _ P H) as (F & L).
   destruct (Bleb _ _); [|discriminate]. injection T as <-.
   destruct (quotient_down prec emax (eq_refl Lt) (eq_refl Lt) (lower det) most_roots roots F ltac:(lra) A Y) as (Q & Q0 & Q1).
   split; [exact Q|]. split; [exact Q0|]. apply Rle_trans with (1 := Q1). apply quotient_le; lra.

@@ -2,7 +2,7 @@
 (* The filter stage of the plane without certified tolerances (certified = false, the mode `floating`): what it promises is its sign.
 
    - orientation_2_plain, empty_sphere_2_plain      a sign is right
-   - orientation_2_floating, empty_sphere_2_floating   and so it is of the whole ladder, whose later stages are the same in this mode *)
+   - orientation_2_floating, empty_sphere_2_floating   and so it is of the whole filtered predicate, whose later stages are the same in this mode *)
 From Coq Require Import Reals Lra ZArith List.
 From Coq Require Import Floats.
 From Annulus Require float_model float_filter_2 float_circle_2 float_certifies_2.
@@ -39,13 +39,13 @@ Proof.
 Qed.
 
 Theorem orientation_2_floating a b c : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
-  right_sign (ladder false (orientation_filter machine (f a) (f b) (f c) false) (orientation_interval (f a) (f b) (f c)) (orientation_exact (f a) (f b) (f c)))
+  right_sign (staged false (orientation_filter machine (f a) (f b) (f c) false) (orientation_interval (f a) (f b) (f c)) (orientation_exact (f a) (f b) (f c)))
     (turn_at ref a b c).
 Proof.
   intro D. eapply stages_sign; [now apply orientation_2_plain|now apply orientation_interval_returned|apply orientation_exact_returned].
 Qed.
 Theorem empty_sphere_2_floating a b p q : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
-  right_sign (ladder false (empty_sphere_filter machine (f a) (f b) (f p) (f q) false) (empty_sphere_interval (f a) (f b) (f p) (f q))
+  right_sign (staged false (empty_sphere_filter machine (f a) (f b) (f p) (f q) false) (empty_sphere_interval (f a) (f b) (f p) (f q))
     (empty_sphere_exact (f a) (f b) (f p) (f q))) (incircle_at ref a b p q).
 Proof.
   intro D. eapply stages_sign; [now apply empty_sphere_2_plain|now apply empty_sphere_interval_returned|apply empty_sphere_exact_returned].

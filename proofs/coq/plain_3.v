@@ -2,7 +2,7 @@
 (* plain_2.v in space: without certified tolerances (certified = false, the mode `floating`) the filter stage promises its sign.
 
    - orientation_3_plain, empty_sphere_3_plain      a sign is right, whatever becomes of the cells' widths
-   - orientation_3_floating, empty_sphere_3_floating   and so it is of the whole ladder, whose later stages are the same in this mode *)
+   - orientation_3_floating, empty_sphere_3_floating   and so it is of the whole filtered predicate, whose later stages are the same in this mode *)
 From Coq Require Import Reals.
 From Coq Require Import Floats.
 From Annulus Require float_certifies_3 float_filter_3 float_bicell_3.
@@ -28,7 +28,7 @@ Proof.
 Qed.
 
 Theorem orientation_3_floating : right_sign
-  (ladder false answer (orientation_3_interval (f o) (f tetrahedron.u) (f v) (f w)) (orientation_3_exact (f o) (f tetrahedron.u) (f v) (f w))) (volume x).
+  (staged false answer (orientation_3_interval (f o) (f tetrahedron.u) (f v) (f w)) (orientation_3_exact (f o) (f tetrahedron.u) (f v) (f w))) (volume x).
 Proof.
   eapply stages_sign; [exact orientation_3_plain|now apply orientation_3_interval_returned|apply orientation_3_exact_returned].
 Qed.
@@ -52,7 +52,7 @@ Proof.
   rewrite (float_certifies_3.truth_is x), float_certifies_3.determinant_is in Sound. tauto.
 Qed.
 
-Theorem empty_sphere_3_floating : right_sign (ladder false answer (empty_sphere_3_interval (f a) (f b) (f c) (f p) (f q) use)
+Theorem empty_sphere_3_floating : right_sign (staged false answer (empty_sphere_3_interval (f a) (f b) (f c) (f p) (f q) use)
   (empty_sphere_3_exact (f a) (f b) (f c) (f p) (f q) use)) (det x).
 Proof.
   eapply stages_sign; [exact empty_sphere_3_plain|now apply empty_sphere_3_interval_returned|apply empty_sphere_3_exact_returned].

@@ -4,10 +4,10 @@
 
    - event          who comes or goes; `present`: which vertices there are after so many calls
    - in_doubt       Repair::border_holds: whether the border is walked
-   - evaluates      what Repair does: it evaluates all suspects that are there, and all certificates of cells that it touched
+   - evaluates      what Repair does: it evaluates all pending certificates that are there, and all certificates of cells that it touched
    - program_call   what one call may be *)
 From Coq Require Import Reals ZArith List Bool.
-From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_look algorithm_run filter_world filter_plane.
+From Annulus Require Import points_2 filter_doubles returned_2 algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import plane_mesh plane_certificates filter_delaunay signed_2 plane_listed.
 Import ListNotations.
 Open Scope R_scope.
@@ -47,9 +47,9 @@ Definition in_doubt (movers : list nat) (w : change) (verdicts : list verdict) :
   match w with nothing => many movers && existsb turns verdicts | inside => many movers | at_border => true end.
 
 (* Repair::evaluate and holds_after_flips, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
-Record evaluates (f : doubles) (old new : Z -> option certificate_2) (suspects touched : list Z) (verdicts : list verdict) : Prop := {
+Record evaluates (f : doubles) (old new : Z -> option certificate_2) (pending touched : list Z) (verdicts : list verdict) : Prop := {
   each_told : forall k, In k verdicts -> new (id k) = Some (of k) /\ told f k;
-  none_left : forall i c, In i suspects \/ In i touched -> new i = Some c -> In i (map id verdicts);
+  none_left : forall i c, In i pending \/ In i touched -> new i = Some c -> In i (map id verdicts);
   others_same : forall i, ~ In i touched -> new i = old i }.
 
 Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_mesh.mesh -> Prop :=
@@ -58,8 +58,8 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
       program_call nobody {| of_filter := s; tracks := true |} T {| of_filter := move_to (at_doubles f) s; tracks := true |} T
   (* somebody fails: evaluated, flipped or built anew, and evaluated again; the border is walked where it is in doubt *)
   | step s f movers m touched verdicts w T T' : (forall v, coordinates_2 (f v)) -> covered s (at_doubles f) movers ->
-      (let (u, suspects) := find_expired s (at_doubles f) (find_failed s (at_doubles f) movers) in
-       evaluates f (algorithm_filter.mesh u) m suspects touched verdicts) ->
+      (let (u, pending) := find_expired s (at_doubles f) (find_failed s (at_doubles f) movers) in
+       evaluates f (algorithm_filter.mesh u) m pending touched verdicts) ->
       changed w T T' -> lists m T' -> (in_doubt movers w verdicts = true -> winds_once (at_doubles f) (border T')) ->
       program_call nobody {| of_filter := s; tracks := true |} T
         {| of_filter := stepped s (at_doubles f) (find_failed s (at_doubles f) movers) m verdicts; tracks := true |} T'
@@ -75,9 +75,9 @@ Inductive program_call : event -> system -> plane_mesh.mesh -> system -> plane_m
       border T' = border T \/ winds_once (at_doubles f) (border T') ->
       program_call e {| of_filter := s; tracks := true |} T {| of_filter := stepped t (at_doubles f) [] m verdicts; tracks := true |} T'
   (* all is evaluated: where it was right already, or after a rebuild, which has CGAL's word for the border *)
-  | settles_all s b f e m verdicts T T' : start f m verdicts -> glued T' -> lists m T' -> keeps e T T' ->
+  | recomputes_all s b f e m verdicts T T' : start f m verdicts -> glued T' -> lists m T' -> keeps e T T' ->
       (T' = T /\ moving s = at_doubles f) \/ winds_once (at_doubles f) (border T') ->
-      program_call e {| of_filter := s; tracks := b |} T (settled f m verdicts s) T'
+      program_call e {| of_filter := s; tracks := b |} T (recomputed f m verdicts s) T'
   (* by signs alone (signed_2.v): of everything, when many moved, and then the border is walked each time *)
   | signs_of_all s b f m T T' : (forall v, coordinates_2 (f v)) -> (forall i c, m i = Some c -> signed f c) ->
       glued T' -> lists m T' -> keeps nobody T T' -> winds_once (at_doubles f) (border T') ->

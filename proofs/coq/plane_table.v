@@ -26,13 +26,13 @@ Definition sound (t : table) : Prop := forall h, is_cell t (cell_of h) = true ->
   is_cell t (cell_of (twin t h)) = true /\ twin t (twin t h) = h /\ twin t h <> h /\ vertex t (ccw (twin t h)) = vertex t (cw h).
 
 Definition put {A} (f : corner -> A) (h : corner) (a : A) : corner -> A := fun k => if same_corner k h then a else f k.
-Definition glue (h k : corner) (f : corner -> corner) : corner -> corner := put (put f h k) k h.
+Definition set_adjacency (h k : corner) (f : corner -> corner) : corner -> corner := put (put f h k) k h.
 Definition flip (t : table) (h : corner) : table :=
   let k := twin t h in
   let h_side := twin t (ccw h) in
   let k_side := twin t (ccw k) in
   {| vertex := put (put (vertex t) (cw h) (vertex t k)) (cw k) (vertex t h);
-     twin := glue (ccw h) (ccw k) (glue k h_side (glue h k_side (twin t)));
+     twin := set_adjacency (ccw h) (ccw k) (set_adjacency k h_side (set_adjacency h k_side (twin t)));
      is_cell := is_cell t |}.
 (* No cell would be beside itself. *)
 Definition may_flip (t : table) (h : corner) : Prop := is_cell t (cell_of h) = true /\

@@ -11,7 +11,7 @@ Definition name (h : plane_table.corner) : nat := 4 * fst h + match snd h with f
 Lemma name_right h k : name h = name k -> h = k.
 Proof. destruct h as [c []], k as [d []]; cbn; intro E; (f_equal; lia) || (exfalso; lia). Qed.
 
-Section reading.
+Section mesh_of_a_table.
 Variable t : table.
 Hypothesis S : sound t.
 Variable all : list nat.
@@ -198,4 +198,4 @@ Proof.
     assert (C2 : is_cell t (cell_of (ccw (at_infinity c))) = true) by now rewrite H8. destruct (ends_of_twin _ C2) as [_ B2].
     destruct (three (twin t (ccw (at_infinity c)))) as (_ & _ & _ & _ & _ & G6 & _). now rewrite G6, B2, H6.
 Qed.
-End reading.
+End mesh_of_a_table.

@@ -5,7 +5,7 @@
    - orientation_2_returned, empty_sphere_2_returned   a sign is right; a tolerance is a finite number, at most half the least altitude or half the width
    - orientation_2_returned_certifies    every placement in which each point is closer than the tolerance to where it was is positive
    - empty_sphere_2_returned_certifies   the same of an empty circle whose triangles are positive at the reference and at the placement
-   Of the stages after it: interval_returned_2.v, exact_returned_2.v; of all together: ladder_2.v. *)
+   Of the stages after it: interval_returned_2.v, exact_returned_2.v; of all together: predicate_2.v. *)
 From Coq Require Import Reals ZArith Lra Rgeom List.
 From Flocq Require Import Core.
 From Coq Require Import Floats.

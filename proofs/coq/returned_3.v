@@ -74,7 +74,7 @@ Proof. unfold C.sphere_filter. rewrite <- bicell_filter_is. apply (bicell_filter
 Lemma sphere_signed use : signed (C.sphere_filter x use).
 Proof. intros s r E. destruct (C.sphere_sound x (fun k => at_format_3 (f k)) use s r E) as [(S & _)|(S & _)]; auto. Qed.
 
-(* The tolerance is that of sign_tolerance_3.v: the annuli's, with the cells' where a partition may be backward, or always, or never. *)
+(* The tolerance is that of sign_tolerance_3.v: the annuli's, with the cells' where a partition may be on the wrong side, or always, or never. *)
 Definition half_widths (use : cells) : R :=
   match use with never => annuli_half_width x | where_needed => own_tolerance_3 x | always => tolerance_3 x end.
 

@@ -3,7 +3,7 @@
 
    - det_scaled, Lam_scaled, volume_scaled      determinants: k^5 and k^3 times
    - half_width_scaled, simplex_scaled          half widths: k times
-   - certified_width, certified_width_is        what the ladder takes of them, by Cell_widths (filtered_3.h) *)
+   - certified_width, certified_width_is        what the filtered predicate takes of them, by Cell_widths (filtered_3.h) *)
 From Coq Require Import Reals Lra.
 From Annulus Require Import vectors bicell tetrahedron sign_tolerance_3 filter_3 returned_3.
 Import vectors bicell tetrahedron.

@@ -19,7 +19,7 @@ Definition prepared (f : doubles) (t : nat * nat * nat) : circumcircle machine :
 Definition turns_left (f : doubles) (t : nat * nat * nat) : Prop :=
   circle_positive machine (prepared f t) = true \/ (let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c)) = 1%Z.
 Definition straight (f : doubles) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c) = 0%Z.
-(* look_at, sphere_sign, is_violated: the cell a b q has p outside of its circle, asked alone or with others, or on it. *)
+(* test_cell, sphere_sign, is_violated: the cell a b q has p outside of its circle, asked alone or with others, or on it. *)
 Definition keeps_out (f : doubles) (a b p q : nat) : Prop :=
   (exists t, In t (sides (a, b, q)) /\
     (circle_positive machine (prepared f t) = true /\ excludes machine (prepared f t) (f p) = true \/

@@ -22,7 +22,7 @@ Definition prepared_3 (f : doubles_3) (t : nat * nat * nat * nat) : filter_3.cir
 Definition turns_left_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop :=
   sphere_positive machine (prepared_3 f t) = true \/ (let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d)) = 1%Z.
 Definition flat_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop := let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d) = 0%Z.
-(* look_at, sphere_sign, is_violated: the cell a b c q has p outside of its sphere, asked alone or with others, or on it. *)
+(* test_cell, sphere_sign, is_violated: the cell a b c q has p outside of its sphere, asked alone or with others, or on it. *)
 Definition keeps_out_3 (f : doubles_3) (a b c p q : nat) : Prop :=
   (exists t, same_cell (a, b, c, q) t /\
     (sphere_positive machine (prepared_3 f t) = true /\ excludes_3 machine (prepared_3 f t) (f p) = true \/

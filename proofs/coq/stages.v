@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* A ladder of stages: each answers or passes the question on. When an answer is right.
+(* A sequence of stages: each answers or passes the question on. When an answer is right.
 
-   - stages_right    where each stage is right, so is the ladder
+   - stages_right    where each stage is right, so is the filtered predicate
    - stages_sign     its sign is right too where the first stage does not certify its tolerance *)
 From Coq Require Import Reals Lra Floats.
 From Annulus Require Import operations bridge filter_2.
@@ -9,10 +9,10 @@ Close Scope float_scope.
 Open Scope R_scope.
 
 Definition or_else {T} (first second : answer T) : answer T := match first with refused => second | _ => first end.
-(* In the mode `tight` a positive answer is asked of the exact stage again. *)
-Definition ladder {T} (tight : bool) (filter interval exact : answer T) : answer T :=
+(* In the mode `correctly_rounded` a positive answer is asked of the exact stage again. *)
+Definition staged {T} (correctly_rounded : bool) (filter interval exact : answer T) : answer T :=
   let first := or_else filter (or_else interval exact) in
-  match first with positive _ => if tight then exact else first | _ => first end.
+  match first with positive _ => if correctly_rounded then exact else first | _ => first end.
 
 (* A determinant's sign; a tolerance is finite and at most a number that certifies. *)
 Definition right_sign (a : answer float) (det : R) : Prop :=
@@ -23,14 +23,14 @@ Definition right_answer (a : answer float) (det certifying : R) : Prop :=
 Lemma right_answer_sign a det w : right_answer a det w -> right_sign a det.
 Proof. destruct a; simpl; tauto. Qed.
 
-Theorem stages_right tight a b c det w : right_answer a det w -> right_answer b det w -> right_answer c det w -> c <> refused ->
-  right_answer (ladder tight a b c) det w /\ ladder tight a b c <> refused.
+Theorem stages_right correctly_rounded a b c det w : right_answer a det w -> right_answer b det w -> right_answer c det w -> c <> refused ->
+  right_answer (staged correctly_rounded a b c) det w /\ staged correctly_rounded a b c <> refused.
 Proof.
   intros A B C N. assert (H : right_answer (or_else a (or_else b c)) det w /\ or_else a (or_else b c) <> refused).
   { destruct a; try (now split). destruct b; now split. }
-  unfold ladder. cbv zeta. destruct (or_else a (or_else b c)); trivial. now destruct tight.
+  unfold staged. cbv zeta. destruct (or_else a (or_else b c)); trivial. now destruct correctly_rounded.
 Qed.
-Theorem stages_sign a b c det v w : right_sign a det -> right_answer b det v -> right_answer c det w -> right_sign (ladder false a b c) det.
+Theorem stages_sign a b c det v w : right_sign a det -> right_answer b det v -> right_answer c det w -> right_sign (staged false a b c) det.
 Proof.
   intros A B C. apply right_answer_sign in B. apply right_answer_sign in C. destruct a; trivial. destruct b; trivial. destruct c; trivial.
 Qed.

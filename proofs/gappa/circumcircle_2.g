@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Forward error of the in-circle determinant of src/annulus/predicate/circumcircle_2.h, for its order of operations.
+# Forward error of the in-circle determinant of src/annulus/predicate/sphere_terms.h, for its order of operations.
 # Model and notation are those of certificates_2.g.
 @mul = mul_rel<53>;
 @add = add_rel<53>;

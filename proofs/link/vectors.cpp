@@ -73,22 +73,23 @@ void later(Row& row, const Tuple& x) {
     row.answer(true, Certificate::exact(x));
 }
 
-/// What the filtered predicate answers of all of them (batch.h), in the modes `fast` and `tight`.
+/// What the filtered predicate answers of all of them (batch.h), in the modes lower_bound and correctly_rounded.
 template <class Tuple>
-class Ladder {
+class Predicate_answers {
   public:
-    explicit Ladder(const std::vector<Tuple>& x) : fast_(x.size()), tight_(x.size()) {
-        evaluate(std::span<const Tuple>(x), Tolerance_precision::lower_bound, std::span<Certificate_value>(fast_));
+    explicit Predicate_answers(const std::vector<Tuple>& x) : lower_bound_(x.size()), correctly_rounded_(x.size()) {
+        evaluate(std::span<const Tuple>(x), Tolerance_precision::lower_bound,
+                 std::span<Certificate_value>(lower_bound_));
         evaluate(std::span<const Tuple>(x), Tolerance_precision::correctly_rounded,
-                 std::span<Certificate_value>(tight_));
+                 std::span<Certificate_value>(correctly_rounded_));
     }
     void answers(Row& row, std::size_t i) const {
-        row.answer(true, fast_[i]);
-        row.answer(true, tight_[i]);
+        row.answer(true, lower_bound_[i]);
+        row.answer(true, correctly_rounded_[i]);
     }
 
   private:
-    std::vector<Certificate_value> fast_, tight_;
+    std::vector<Certificate_value> lower_bound_, correctly_rounded_;
 };
 
 /// Which case row i of the later stages is. Each stage says yes to one of the first few spheres: two are exchanged for
@@ -109,12 +110,12 @@ void later_rows(const char* constructor, std::size_t count) {
         points[i] = Certificate::family(later_case<Certificate>(i));
         tuples[i] = pointers(points[i]);
     }
-    const Ladder ladder(tuples);
+    const Predicate_answers predicate(tuples);
     for (std::size_t i = 0; i < count; ++i) {
         Row row(constructor);
         row.points(points[i]);
         later<Certificate>(row, tuples[i]);
-        ladder.answers(row, i);
+        predicate.answers(row, i);
     }
 }
 
@@ -130,7 +131,7 @@ void named_rows(const char* constructor, const Table& table) {
         const bool answered = Certificate::filter(x, true, v);
         row.answer(answered, v);
         later<Certificate>(row, x);
-        Ladder(std::vector(1, x)).answers(row, 0);
+        Predicate_answers(std::vector(1, x)).answers(row, 0);
     }
 }
 

@@ -1,18 +1,18 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The program of algorithm_filter.v with the numbers of the machine: Coq's primitive floats, so that it can be run. Nothing of the program is written
-   again here, only the arithmetic that a `world` asks for, as displacement.h, truncated_double.h and odometers*.cpp have it, in any
+   again here, only the arithmetic that a `world` asks for, as displacement.h, truncated_double.h and displacement budgets*.cpp have it, in any
    dimension; machine_rounds.v ties it to that of filter_plane.v. Positions are lists of coordinates, vertices are numbers and a
    certificate is its points.
 
-   What a tour goes round, cells and facets in the order of the mesh, is not the filter's to decide: the replay enters it in the mesh, under
+   What a star walk goes round, cells and facets in the order of the mesh, is not the filter's to decide: the replay enters it in the mesh, under
    -1 and below (`around`), where no certificate has its number. *)
 From Coq Require Import Uint63 Reals ZArith List Bool Floats.
-From Annulus Require Import algorithm_list high_word algorithm_filter.
+From Annulus Require Import algorithm_list truncated_double algorithm_filter.
 Import ListNotations.
 Open Scope Z_scope.
 
 (* What limits.h sets. *)
-Record horizons := { listed : nat; last_stamp : Z; half_mask : Z; odometer_ratio : float }.
+Record horizons := { listed : nat; last_stamp : Z; half_mask : Z; path_ratio : float }.
 
 Definition point := list float.
 Open Scope float_scope.
@@ -43,7 +43,7 @@ Definition half_of (mask : Z) (x : float) : Z :=
       Z.land (Uint63.to_Z (if (1080 <=? e)%uint63 then ((e - 1080) << 20 + (m >> 32))%uint63 else (m >> (1112 - e))%uint63)) mask
     else never
   else 0%Z.
-(* Mantissa and exponent of high_word.v, by bits: a division of that size takes Coq twenty times as long (value_of_bits, machine_bits.v). *)
+(* Mantissa and exponent of truncated_double.v, by bits: a division of that size takes Coq twenty times as long (value_of_bits, machine_bits.v). *)
 Definition value_of (b : Z) : float :=
   if (b <? never)%Z then
     let upper := Z.shiftr b 20 in
@@ -53,14 +53,14 @@ Definition value_of (b : Z) : float :=
 
 (* ---- displacement_budget.h, displacement_budget_commit.cpp ---- *)
 
-Definition reading_at (b : float) (f p : point) : float := sum_upper b (distance_upper p f).
+Definition path_length_at (b : float) (f p : point) : float := sum_upper b (distance_upper p f).
 Definition slack (e : Z) (b : float) : float := (value_of e - b) * 0x1.ffffffffffff8p-1.    (* 1 - 2^-50 *)
 Definition left_of (e : Z) (b : float) : float := let s := value_of e - b in s - s * ulp52.
 Definition same_coordinates (p q : point) : bool := forallb (fun c => fst c =? snd c) (combine p q).
 
 (* Expiry_list::latest *)
 Definition latest (l : expiry_list) : Z :=
-  fold_left (fun found e => if (e =? vacant)%Z then found else expiry_of e) (entries l) (rest l).
+  fold_left (fun found e => if (e =? empty_entry)%Z then found else expiry_of e) (entries l) (rest l).
 
 Close Scope float_scope.
 
@@ -73,8 +73,8 @@ Definition machine : world := {|
   capacity := listed h; stamps := last_stamp h;
   around := fun mesh v => match mesh (-1 - v) with Some ids => ids | None => [] end;
   num := float; real := fun _ => 0%R; zero := 0%float; valid := fun _ => True; number := fun _ => True;
-  reading_of := reading_at; below := fun f p r => (squared_distance p f <? r)%float;
+  path_length_of := path_length_at; below := fun f p r => (squared_distance p f <? r)%float;
   threshold := fun e b => value_of (half_of (half_mask h) (squared_threshold_lower (slack e b)));
   algorithm_filter.sum_lower := sum_lower; less := left_of; half := half_of (half_mask h);
-  worn := fun b l => (odometer_ratio h * (value_of (latest l) - b) <? b)%float |}.
+  worn := fun b l => (path_ratio h * (value_of (latest l) - b) <? b)%float |}.
 End machine.

@@ -1,12 +1,12 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Upper halves of doubles, which machine.v takes apart and puts together by operations on bits: they are what IEEE 754 says of mantissa and
-   exponent, as high_word.v has it.
+   exponent, as truncated_double.v has it.
 
    - half_of_bits      Expiry::lower, in any bounds: the upper half of the bits of a positive number
-   - value_of_bits     Expiry::reading *)
+   - value_of_bits     Expiry::path_length *)
 From Coq Require Import Uint63 ZArith Lia Bool Floats.
 From Flocq Require Import Core.
-From Annulus Require Import algorithm_list high_word.
+From Annulus Require Import algorithm_list truncated_double.
 From Annulus_traces Require Import machine.
 
 (* ---- Canonical mantissas ---- *)

@@ -3,13 +3,13 @@
    reals. Whatever the machine makes of them is far above all that it is compared with, in both.
 
    - threshold_of_any    set_threshold, of any expiry
-   - worn_expiry         whether an odometer is to start again, in reals; worn_expiry_of_any
+   - worn_expiry         whether a displacement budget is to start again, in reals; worn_expiry_of_any
    - same_stands         whether two coordinates are the same *)
 From Coq Require Import Reals ZArith Lia Lra List Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_displacement.
-From Annulus Require Import algorithm_list high_word filter_doubles.
+From Annulus Require Import algorithm_list truncated_double filter_doubles.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds.
 Import ListNotations.
@@ -82,15 +82,15 @@ Proof.
     split; destruct (Rlt_dec _ _); trivial; lra.
 Qed.
 
-Lemma from_never e : (never <= e)%Z -> power 1024 <= high_word.value e.
+Lemma from_never e : (never <= e)%Z -> power 1024 <= truncated_double.value e.
 Proof. intro E. rewrite <- value_never. apply value_le. unfold never in *. lia. Qed.
-Lemma far_value e : (0 <= e)%Z -> power 1000 < high_word.value e -> above 1000 (value_of e).
+Lemma far_value e : (0 <= e)%Z -> power 1000 < truncated_double.value e -> above 1000 (value_of e).
 Proof.
   intros E B. destruct (Z.lt_ge_cases e never) as [L|L]; [right|left].
   - destruct (value_is e ltac:(lia)) as (F & V & _). split; [exact F|]. rewrite V. lra.
   - unfold value_of. now rewrite (proj2 (Z.ltb_ge _ _) L).
 Qed.
-Lemma near_value e : (0 <= e)%Z -> high_word.value e <= power 1000 -> (0 <= e < never)%Z.
+Lemma near_value e : (0 <= e)%Z -> truncated_double.value e <= power 1000 -> (0 <= e < never)%Z.
 Proof.
   intros E B. split; [exact E|]. destruct (Z.lt_ge_cases e never) as [|L]; [assumption|exfalso].
   assert (power 1000 < power 1024) by (apply bpow_lt; lia). generalize (from_never e L). lra.
@@ -106,14 +106,14 @@ Hypothesis B0 : 0 <= real b.
 Lemma base_upper : real b <= power 999.
 Proof. destruct B as (_ & _ & H). now rewrite Rabs_pos_eq in H. Qed.
 
-Lemma far_rest : power 1000 < high_word.value e -> above 999 (value_of e - b)%float.
+Lemma far_rest : power 1000 < truncated_double.value e -> above 999 (value_of e - b)%float.
 Proof.
   intro F. apply (above_sub 999); [lia|now apply far_value|apply B|]. split; [exact B0|exact base_upper].
 Qed.
 
 Theorem threshold_of_any : stands 1021 (value_of (half_of half_mask_32 (squared_threshold_lower (slack e b)))) (threshold e (real b)).
 Proof.
-  destruct (Rle_lt_dec (high_word.value e) (power 1000)) as [N|F].
+  destruct (Rle_lt_dec (truncated_double.value e) (power 1000)) as [N|F].
   { apply threshold_stands; [now apply near_value|exact N|]. apply stands_wider with 999%Z; [lia|exact B]. }
   apply kept_stands. assert (S : above 998 (slack e b)).
   { apply (above_mul 999 (-1)); [lia|now apply far_rest|reflexivity|]. rewrite (real_of 0x1.ffffffffffff8p-1%float 9007199254740984 (-53) eq_refl).
@@ -122,12 +122,12 @@ Proof.
   assert (Small : stands 998 0x1p-450%float (power (-450))) by (apply stands_wider with (-450)%Z; [lia|exact (power_stands 0x1p-450%float (-502) (-450) eq_refl eq_refl)]).
   unfold squared_threshold_lower. rewrite (proj2 (above_greater _ _ _ _ S Small (bpow_lt radix2 (-450) 998 ltac:(lia)))).
   rewrite (proj2 (above_greater _ _ _ _ S Big (bpow_lt radix2 510 998 ltac:(lia)))). cbn [negb].
-  replace (float_displacement.threshold (high_word.value e) (real b)) with (power 1020).
+  replace (float_displacement.threshold (truncated_double.value e) (real b)) with (power 1020).
   { apply stands_wider with 1020%Z; [lia|]. exact (power_stands 0x1p1020%float 968 1020 eq_refl eq_refl). }
   unfold float_displacement.threshold, float_displacement.squared_threshold_lower.
-  assert (L : power 998 <= float_error.fmul (float_error.fsub (high_word.value e) (real b)) (1 - 8 * float_model.u)).
-  { change (power 998 <= rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u))).
-    assert (D : power 999 <= rnd (high_word.value e - real b)).
+  assert (L : power 998 <= float_error.fmul (float_error.fsub (truncated_double.value e) (real b)) (1 - 8 * float_model.u)).
+  { change (power 998 <= rnd (rnd (truncated_double.value e - real b) * (1 - 8 * float_model.u))).
+    assert (D : power 999 <= rnd (truncated_double.value e - real b)).
     { rewrite <- (rnd_power 999) by lia. apply round_le; auto with typeclass_instances. generalize base_upper.
       change 1000%Z with (999 + 1)%Z in F. rewrite bpow_plus in F. change (power 1) with 2 in F. lra. }
     rewrite <- (rnd_power 998) by lia. apply round_le; auto with typeclass_instances.
@@ -143,7 +143,7 @@ Variable ratio : float.
 Hypothesis R1 : 1 <= real ratio.
 Hypothesis R2 : stands 20 ratio (real ratio).
 Definition worn_expiry (b : R) : bool :=
-  if Rle_dec (high_word.value e) (power 1000) then if Rlt_dec (rnd (real ratio * rnd (high_word.value e - b))) b then true else false else false.
+  if Rle_dec (truncated_double.value e) (power 1000) then if Rlt_dec (rnd (real ratio * rnd (truncated_double.value e - b))) b then true else false else false.
 Theorem worn_expiry_of_any : (ratio * (value_of e - b) <? b)%float = worn_expiry (real b).
 Proof.
   unfold worn_expiry. destruct (Rle_dec _ _) as [N|F].

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* How far an odometer goes: a call adds one way to it, 2^505 at most, and rounds up by less than one part in 2^50. So 2^49 calls do not take it to 2^560,
-   even if it never starts again: what an odometer of the machine shows is far from overflow.
+(* How far a displacement budget goes: a call adds one way to it, 2^505 at most, and rounds up by less than one part in 2^50. So 2^49 calls do not take it to 2^560,
+   even if it never starts again: what a displacement budget of the machine shows is far from overflow.
 
    - reach_after    the reach (machine_state.v) of the n-th call, for n up to 2^49 *)
 From Coq Require Import Reals ZArith Lia Lra.

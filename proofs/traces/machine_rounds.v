@@ -3,20 +3,20 @@
    overflow, is the one of filter_doubles.v and filter_plane.v on the reals that they stand for. `stands a f r` (bridge.v): f is
    finite, stands for r, and |r| <= 2^a.
 
-   - half_stands, value_stands      Expiry::lower and Expiry::reading are `lower` and `value` of high_word.v
+   - half_stands, value_stands      Expiry::lower and Expiry::path_length are `lower` and `value` of truncated_double.v
    - below_stands_2, _3             the comparison of the step test is below_2, below_3, with a threshold that is
    - threshold_stands               set_threshold
-   - reading_stands_2, _3           reading_2, reading_3
+   - path_length_stands_2, _3           path_length_2, path_length_3
    - sum_lower_stands, left_stands      what commit_points and rebase compute
 
-   Points are in the coordinate domain, 2^500 at most; bases, tolerances and expiries below 2^1000, which no odometer reaches that is rebased:
+   Points are in the coordinate domain, 2^500 at most; bases, tolerances and expiries below 2^1000, which no displacement budget reaches that is rebased:
    this is what remains of overflow, and NaN does not come up. With all bits of an upper half; tiny bounds drop some, which no theorem
    is about. *)
 From Coq Require Import Reals ZArith Lia Lra List Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
 From Annulus Require float_model float_error float_tail float_sums float_displacement.
-From Annulus Require Import algorithm_list high_word filter_doubles.
+From Annulus Require Import algorithm_list truncated_double filter_doubles.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_bits.
 Import ListNotations.
@@ -138,7 +138,7 @@ Proof.
   apply Rplus_le_le_0_compat; [exact (squares_pos_2 x y t v)|apply float_model.rnd_pos, Rle_0_sqr].
 Qed.
 
-Section readings.
+Section path_lengths.
 Variables fx fy fz px py pz : float.
 Hypotheses (Fx : in_bounds fx) (Fy : in_bounds fy) (Fz : in_bounds fz) (Px : in_bounds px) (Py : in_bounds py) (Pz : in_bounds pz).
 Variables (a : Z) (b : float).
@@ -154,12 +154,12 @@ Lemma way_stands_3 : stands 505 (distance_upper [px; py; pz] [fx; fy; fz])
   (float_displacement.distance_upper_3 (real px) (real py) (real pz) (real fx) (real fy) (real fz)).
 Proof. apply distance_stands; [now apply squares_stand_3|now apply sides_stand_3|apply squares_pos_3]. Qed.
 
-Theorem reading_stands_2 : stands (a + 2) (reading_at b [fx; fy] [px; py]) (reading_2 (real b) (real fx, real fy) (real px, real py)).
+Theorem path_length_stands_2 : stands (a + 2) (path_length_at b [fx; fy] [px; py]) (path_length_2 (real b) (real fx, real fy) (real px, real py)).
 Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_2]. Qed.
-Theorem reading_stands_3 : stands (a + 2) (reading_at b [fx; fy; fz] [px; py; pz])
-  (reading_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
+Theorem path_length_stands_3 : stands (a + 2) (path_length_at b [fx; fy; fz] [px; py; pz])
+  (path_length_3 (real b) {| vectors.X1 := real fx; vectors.X2 := real fy; vectors.X3 := real fz |} {| vectors.X1 := real px; vectors.X2 := real py; vectors.X3 := real pz |}).
 Proof. apply sum_upper_stands; [lia|exact B|]. apply stands_wider with 505%Z; [lia|exact way_stands_3]. Qed.
-End readings.
+End path_lengths.
 
 (* ---- Upper halves ---- *)
 
@@ -168,7 +168,7 @@ Lemma bits_of f m e : Prim2SF f = S754_finite false m e -> let b := ((e + 1074) 
   (0 < b < never * 2 ^ 32)%Z /\ double b = real f.
 Proof.
   intros H b. destruct (canonical_of f false m e H) as (N & E & L0). assert (D := digits m 53 N : (Zpos m < 2 ^ 53)%Z).
-  rewrite (real_of f m e H). unfold double, high_word.number, mantissa, exponent. destruct (Z.lt_ge_cases (Zpos m) (2 ^ 52)) as [L|G].
+  rewrite (real_of f m e H). unfold double, truncated_double.number, mantissa, exponent. destruct (Z.lt_ge_cases (Zpos m) (2 ^ 52)) as [L|G].
   - assert (e = -1074)%Z as ->.
     { apply L0. destruct (Z.lt_ge_cases (Zpos (digits2_pos m)) 53) as [|G]; [assumption|exfalso].
       assert (S := digits_least m 53 ltac:(lia) ltac:(lia)). change (53 - 1)%Z with 52%Z in S. lia. }
@@ -193,21 +193,21 @@ Proof.
       split; [apply Z.div_pos; lia|]. apply Z.div_lt_upper_bound; [lia|]. unfold never in B. lia.
 Qed.
 
-Lemma value_never : high_word.value never = power 1024.
+Lemma value_never : truncated_double.value never = power 1024.
 Proof.
-  unfold high_word.value, high_word.number. replace (exponent 20 (-1042) never) with 1004%Z by reflexivity.
+  unfold truncated_double.value, truncated_double.number. replace (exponent 20 (-1042) never) with 1004%Z by reflexivity.
   replace (mantissa 20 never) with (2 ^ 20)%Z by reflexivity. change (2 ^ 20)%Z with (Zpower radix2 20). now rewrite IZR_Zpower, <- bpow_plus by lia.
 Qed.
 
-Theorem value_is e : (0 <= e < never)%Z -> stands 1024 (value_of e) (high_word.value e).
+Theorem value_is e : (0 <= e < never)%Z -> stands 1024 (value_of e) (truncated_double.value e).
 Proof.
-  intro E. assert (B : high_word.value e < power 1024) by (rewrite <- value_never; now apply number_increases). rewrite value_of_bits, (proj2 (Z.ltb_lt _ _) (proj2 E)).
+  intro E. assert (B : truncated_double.value e < power 1024) by (rewrite <- value_never; now apply number_increases). rewrite value_of_bits, (proj2 (Z.ltb_lt _ _) (proj2 E)).
   assert (M : (0 <= mantissa 20 e < 2 ^ 21)%Z).
   { unfold mantissa. generalize (Z.mod_pos_bound e (2 ^ 20) ltac:(lia)). destruct (_ =? _)%Z; lia. }
   assert (X : (-1042 <= exponent 20 (-1042) e < 1024)%Z).
   { unfold exponent. unfold never in E. assert (e / 2 ^ 20 < 2047)%Z by (apply Z.div_lt_upper_bound; lia).
     assert (0 <= e / 2 ^ 20)%Z by (apply Z.div_pos; lia). lia. }
-  assert (P := high_word.value_pos e (proj1 E)).
+  assert (P := truncated_double.value_pos e (proj1 E)).
   assert (I : value (of_uint63 (Uint63.of_Z (mantissa 20 e))) = IZR (mantissa 20 e) /\ finite (of_uint63 (Uint63.of_Z (mantissa 20 e))) = true).
   { unfold value, finite. rewrite of_int63_equiv, Uint63.of_Z_spec, Z.mod_small by (change Uint63.wB with (2 ^ 63)%Z; lia).
     generalize (binary_normalize_correct prec emax Hprec Hmax mode_NE (mantissa 20 e) 0 false). cbv zeta.
@@ -226,12 +226,12 @@ Proof.
   all: try (intros (V & Q & _); first [exact V | now rewrite Q]).
   all: rewrite Rabs_pos_eq; [exact B|exact P].
 Qed.
-Lemma value_stands e a : (0 <= e < never)%Z -> high_word.value e <= power a -> stands a (value_of e) (high_word.value e).
-Proof. intros E B. apply stands_tighter with 1024%Z; [now apply value_is|]. now rewrite Rabs_pos_eq by now apply high_word.value_pos. Qed.
+Lemma value_stands e a : (0 <= e < never)%Z -> truncated_double.value e <= power a -> stands a (value_of e) (truncated_double.value e).
+Proof. intros E B. apply stands_tighter with 1024%Z; [now apply value_is|]. now rewrite Rabs_pos_eq by now apply truncated_double.value_pos. Qed.
 
 (* ---- What they are used for ---- *)
 
-Theorem left_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
+Theorem left_stands e b : (0 <= e < never)%Z -> truncated_double.value e <= power 1000 -> stands 1000 b (real b) ->
   stands 1002 (left_of e b) (filter_doubles.less e (real b)).
 Proof.
   intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E V) B).
@@ -239,28 +239,28 @@ Proof.
 Qed.
 
 (* What a threshold is kept as. *)
-Lemma kept_stands f r : stands 1021 f r -> stands 1021 (value_of (half_of half_mask_32 f)) (high_word.value (lower r)).
+Lemma kept_stands f r : stands 1021 f r -> stands 1021 (value_of (half_of half_mask_32 f)) (truncated_double.value (lower r)).
 Proof.
   intros (Fin & Val & Bnd). rewrite half_stands, Val by exact Fin. destruct (Rlt_le_dec 0 r) as [P|P].
   - assert (L := lower_below r ltac:(lra)). rewrite Rabs_pos_eq in Bnd by lra. apply value_stands; [|lra].
     split; [apply lower_range|]. destruct (Z.lt_ge_cases (lower r) never) as [|G]; [assumption|exfalso].
-    assert (high_word.value never <= r) by (apply Rle_trans with (2 := L), value_le; unfold never in *; lia).
+    assert (truncated_double.value never <= r) by (apply Rle_trans with (2 := L), value_le; unfold never in *; lia).
     rewrite value_never in H. assert (power 1021 < power 1024) by (apply bpow_lt; lia). lra.
   - rewrite lower_clips, value_0 by exact P. exact (zero_stands 1021).
 Qed.
 
-Theorem threshold_stands e b : (0 <= e < never)%Z -> high_word.value e <= power 1000 -> stands 1000 b (real b) ->
+Theorem threshold_stands e b : (0 <= e < never)%Z -> truncated_double.value e <= power 1000 -> stands 1000 b (real b) ->
   stands 1021 (value_of (half_of half_mask_32 (squared_threshold_lower (slack e b)))) (threshold e (real b)).
 Proof.
   intros E V B. assert (S := stands_sub 1000 1000 _ _ _ _ ltac:(lia) (value_stands e 1000 E V) B).
   assert (K := stands_mul 1001 0 _ _ _ _ ltac:(lia) S shrink_slack_stands). change (1001 + 0)%Z with 1001%Z in K. fold (slack e b) in K.
   apply kept_stands. unfold squared_threshold_lower, float_displacement.threshold, float_displacement.squared_threshold_lower.
-  change (float_error.fmul (float_error.fsub (high_word.value e) (real b)) (1 - 8 * float_model.u)) with
-    (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u))).
+  change (float_error.fmul (float_error.fsub (truncated_double.value e) (real b)) (1 - 8 * float_model.u)) with
+    (rnd (rnd (truncated_double.value e - real b) * (1 - 8 * float_model.u))).
   rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p-450%float (-502) (-450) eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [P|P]; [|apply zero_stands].
   simpl negb. cbv iota. rewrite (less_stands _ _ _ _ _ _ (power_stands 0x1p510%float 458 510 eq_refl eq_refl) K). destruct (Rlt_dec _ _) as [Q|Q].
   - apply stands_wider with 1020%Z; [lia|]. exact (power_stands 0x1p1020%float 968 1020 eq_refl eq_refl).
-  - assert (K' : stands 510 (slack e b) (rnd (rnd (high_word.value e - real b) * (1 - 8 * float_model.u)))).
+  - assert (K' : stands 510 (slack e b) (rnd (rnd (truncated_double.value e - real b) * (1 - 8 * float_model.u)))).
     { apply stands_tighter with 1001%Z; [exact K|]. rewrite Rabs_pos_eq; [lra|]. generalize (bpow_ge_0 radix2 (-450)). lra. }
     apply stands_wider with 1020%Z; [lia|]. exact (stands_mul 1020 0 _ _ _ _ ltac:(lia) (stands_mul 510 510 _ _ _ _ ltac:(lia) K' K') shrink_squares_stands).
 Qed.

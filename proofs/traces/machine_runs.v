@@ -10,7 +10,7 @@ From Coq Require Import Floats.
 From Annulus Require float_model float_sums bridge_decide.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_list high_word filter_doubles filter_world algorithm_filter algorithm_run.
+From Annulus Require Import algorithm_list truncated_double filter_doubles filter_world algorithm_filter algorithm_run.
 From Annulus_traces Require Import machine_state machine_reach machine_steps machine_writes.
 Import ListNotations.
 Notation real := operations.value.
@@ -18,7 +18,7 @@ Close Scope float_scope.
 Open Scope R_scope.
 #[local] Opaque bpow.
 
-(* What a call does, given what Repair, CGAL and the caller decide. Everybody passes; a step; one that is refused; vertices come; all is settled; signs
+(* What a call does, given what Repair, CGAL and the caller decide. Everybody passes; a step; one that is refused; vertices come; all is recomputed; signs
    alone; tolerances are given up. *)
 Section deeds.
 Context {W : world}.
@@ -27,7 +27,7 @@ Inductive deed :=
   | move (x : placement) (movers : list vertex) (m : Z -> option certificate) (verdicts : list verdict)
   | refuse (x : placement) (movers : list vertex)
   | refresh (placed : list (vertex * position)) (m : Z -> option certificate) (verdicts : list verdict)
-  | settle_all (x : placement) (m : Z -> option certificate) (verdicts : list verdict)
+  | recompute_all (x : placement) (m : Z -> option certificate) (verdicts : list verdict)
   | sign_all (x : placement) (m : Z -> option certificate)
   | stop.
 Definition done (s : state) (d : deed) : state :=
@@ -36,7 +36,7 @@ Definition done (s : state) (d : deed) : state :=
   | move x movers m verdicts => stepped s x (find_failed s x movers) m verdicts
   | refuse x movers => undo_anchoring (begin_anchoring s) (fst (find_expired s x (find_failed s x movers))) (find_failed s x movers)
   | refresh placed m verdicts => let t := fold_left place placed s in stepped t (moving t) [] m verdicts
-  | settle_all x m verdicts => settle x s m verdicts
+  | recompute_all x m verdicts => recompute x s m verdicts
   | sign_all x m => move_to x (with_mesh s m)
   | stop => s
   end.
@@ -66,7 +66,7 @@ Definition deed_of (d : @deed floats) : @deed reals :=
   | move x movers m verdicts => @move reals (places_of x) movers m (map verdict_of verdicts)
   | refuse x movers => @refuse reals (places_of x) movers
   | refresh placed m verdicts => @refresh reals (map placed_of placed) m (map verdict_of verdicts)
-  | settle_all x m verdicts => @settle_all reals (places_of x) m (map verdict_of verdicts)
+  | recompute_all x m verdicts => @recompute_all reals (places_of x) m (map verdict_of verdicts)
   | sign_all x m => @sign_all reals (places_of x) m
   | stop => stop
   end.
@@ -76,7 +76,7 @@ Definition written_right (m : Z -> option (@certificate floats)) (verdicts : lis
 Definition fit (d : @deed floats) : Prop :=
   match d with
   | pass x | refuse x _ => forall v, bounded (x v)
-  | move x _ m verdicts | settle_all x m verdicts => (forall v, bounded (x v)) /\ written_right m verdicts
+  | move x _ m verdicts | recompute_all x m verdicts => (forall v, bounded (x v)) /\ written_right m verdicts
   | refresh placed m verdicts => (forall n, In n placed -> bounded (snd n)) /\ written_right m verdicts
   | sign_all x m => (forall v, bounded (x v)) /\ written_right m []
   | stop => True
@@ -93,7 +93,7 @@ Proof.
     rewrite <- begun_same. apply undone_same; [now apply begun_tame|exact A|now symmetry].
   - destruct F as [P [M V]]. destruct (places_same _ _ _ _ _ _ _ placed s T S P) as (A & N & E). cbv zeta. rewrite <- E.
     apply (stepped_same _ _ _ ratio_least ratio_stands _ _ _ _ (moving (fold_left place placed s))); trivial. apply (tame_moving _ _ _ _ _ _ _ _ A).
-  - destruct F as [X [M V]]. apply settled_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ s T).
+  - destruct F as [X [M V]]. apply recomputed_same; trivial. apply (tame_expiry _ _ _ _ _ _ _ s T).
   - destruct F as [X [M _]]. apply (moved_same _ _ _ _ _ _ _ x); [exact X|]. now apply mesh_same.
   - now split.
 Qed.

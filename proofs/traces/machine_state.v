@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The program of algorithm_filter.v on primitive floats and on reals does the same, operation after operation, while no odometer has gone far: the state
+(* The program of algorithm_filter.v on primitive floats and on reals does the same, operation after operation, while no displacement budget has gone far: the state
    of the machine stands for a state of the model, and so it is after each operation. Of any dimension.
 
    - floats        the program with the numbers of machine.v; state_of: the state of the model that a state of the machine stands for
-   - tame          what a state of the machine has to be; small: no odometer has gone far
+   - tame          what a state of the machine has to be; small: no displacement budget has gone far
    - anchor_same, examined_same, written_same, finished_same ...    operations *)
 From Coq Require Import Reals ZArith Lia Lra List Bool FunctionalExtensionality.
 From Flocq Require Import Core.
@@ -11,7 +11,7 @@ From Coq Require Import Floats.
 From Annulus Require float_model float_sums connect.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_listed high_word filter_doubles filter_world algorithm_filter.
+From Annulus Require Import algorithm_listed truncated_double filter_doubles filter_world algorithm_filter.
 Import ListNotations.
 Notation real := operations.value.
 Close Scope float_scope.
@@ -25,14 +25,14 @@ Record grounded (D : metric) := {
   in_bounds_all : spot -> Prop;
   box_right : forall p, in_bounds_all p -> in_box D (place_of p);
   same_right : forall p q, in_bounds_all p -> in_bounds_all q -> same_coordinates (coordinates_of p) (coordinates_of q) = same_site D (place_of p) (place_of q);
-  reading_right : forall a b f p, (505 <= a <= 1000)%Z -> stands a b (real b) -> in_bounds_all f -> in_bounds_all p ->
-    stands (a + 2) (reading_at b (coordinates_of f) (coordinates_of p)) (read D (real b) (place_of f) (place_of p));
+  path_length_right : forall a b f p, (505 <= a <= 1000)%Z -> stands a b (real b) -> in_bounds_all f -> in_bounds_all p ->
+    stands (a + 2) (path_length_at b (coordinates_of f) (coordinates_of p)) (read D (real b) (place_of f) (place_of p));
   way_right : forall b f p, in_bounds_all f -> in_bounds_all p ->
     exists way, 0 <= way <= power 505 /\ read D b (place_of f) (place_of p) = float_sums.sum_upper b way;
   below_right : forall f p r, finite r = true -> in_bounds_all f -> in_bounds_all p ->
     (squared_distance (coordinates_of p) (coordinates_of f) <? r)%float = is_below D (place_of f) (place_of p) (real r) }.
 
-(* How far an odometer may have gone before a call, and after it. *)
+(* How far a displacement budget may have gone before a call, and after it. *)
 Record reach := {
   gone : R;
   going : R;
@@ -53,7 +53,7 @@ Notation bounded := (in_bounds_all D G).
 Notation coordinates := (coordinates_of D G).
 
 (* The arithmetic that the replays run. *)
-Let replayed : world := machine {| listed := capacity; last_stamp := stamps; half_mask := half_mask_32; odometer_ratio := ratio |}.
+Let replayed : world := machine {| listed := capacity; last_stamp := stamps; half_mask := half_mask_32; path_ratio := ratio |}.
 Definition floats : world := {|
   position := spot; vertex := nat; certificate := kind _ K; same_vertex := Nat.eq_dec;
   same_position := fun p q => @same_position replayed (coordinates p) (coordinates q);
@@ -62,7 +62,7 @@ Definition floats : world := {|
   algorithm_filter.capacity := capacity; algorithm_filter.stamps := stamps;
   around := filter_world.around_all (points_of _ K);
   num := float; algorithm_filter.real := operations.value; zero := @zero replayed; valid := bounded; number := fun b => finite b = true;
-  reading_of := fun b f p => @reading_of replayed b (coordinates f) (coordinates p);
+  path_length_of := fun b f p => @path_length_of replayed b (coordinates f) (coordinates p);
   below := fun f p r => @below replayed (coordinates f) (coordinates p) r;
   threshold := @threshold replayed; sum_lower := @algorithm_filter.sum_lower replayed; less := @less replayed; half := @half replayed;
   worn := @worn replayed |}.
@@ -72,19 +72,19 @@ Definition reals : world := numbered capacity stamps worn_real D K.
 
 (* ---- What a state of the machine stands for ---- *)
 
-Definition odometer_of (o : @odometer floats) : @odometer reals :=
-  @Build_odometer reals (at_place (fixed o)) (real (base o)) (real (room o)) (listing o) (stamp o).
+Definition budget_of (o : @budget floats) : @budget reals :=
+  @Build_budget reals (at_place (fixed o)) (real (base o)) (real (room o)) (listing o) (stamp o).
 Definition written_of (r : @written floats) : @written reals :=
   @Build_written reals (expiry r) (fun v => at_place (reference r v)) (origin r) (allowance r).
 Definition state_of (s : @state floats) : @state reals :=
-  @Build_state reals (fun v => at_place (moving s v)) (fun v => odometer_of (at_ s v)) (mesh s) (fun i => written_of (record s i)) (epoch s) (anchored s).
+  @Build_state reals (fun v => at_place (moving s v)) (fun v => budget_of (at_ s v)) (mesh s) (fun i => written_of (record s i)) (epoch s) (anchored s).
 Definition verdict_of (k : @verdict floats) : @verdict reals := @Build_verdict reals (id k) (of k) (real (bound k)).
 Definition places_of (x : @placement floats) : @placement reals := fun v => at_place (x v).
 
 Variable B : reach.
-Definition small_expiry (e : Z) : Prop := (0 <= e < never)%Z /\ high_word.value e <= power 1000.
-Definition moderate (o : @odometer floats) (limit : R) : Prop := finite (base o) = true /\ 0 <= real (base o) <= limit.
-(* In a step an odometer goes on once, and has the step's stamp then. *)
+Definition small_expiry (e : Z) : Prop := (0 <= e < never)%Z /\ truncated_double.value e <= power 1000.
+Definition moderate (o : @budget floats) (limit : R) : Prop := finite (base o) = true /\ 0 <= real (base o) <= limit.
+(* In a step a displacement budget goes on once, and has the step's stamp then. *)
 Record tame (s : @state floats) : Prop := {
   tame_moving : forall v, bounded (moving s v);
   tame_fixed : forall v, bounded (fixed (at_ s v));
@@ -123,10 +123,10 @@ Lemma state_eq m a i r e n m' a' i' r' e' n' : (forall v, m v = m' v) -> (forall
   @Build_state reals m a i r e n = @Build_state reals m' a' i' r' e' n'.
 Proof. intros M A -> R -> ->. f_equal; apply functional_extensionality; assumption. Qed.
 
-Lemma set_at_same s v o : state_of (set_at s v o) = set_at (state_of s) v (odometer_of o).
+Lemma set_at_same s v o : state_of (set_at s v o) = set_at (state_of s) v (budget_of o).
 Proof. apply state_eq; try easy. intro w. simpl. unfold set. now destruct (Nat.eq_dec v w). Qed.
 
-Lemma tame_set_at s v (o : @odometer floats) : tame s -> bounded (fixed o) -> moderate o (if (stamp o =? epoch s)%Z then going B else gone B) ->
+Lemma tame_set_at s v (o : @budget floats) : tame s -> bounded (fixed o) -> moderate o (if (stamp o =? epoch s)%Z then going B else gone B) ->
   finite (room o) = true -> proper capacity (listing o) -> tame (set_at s v o).
 Proof.
   intros [A A' C E F H I] P Q R L. split; trivial; intro w; simpl; unfold set; destruct (Nat.eq_dec v w) as [<-|]; trivial.
@@ -161,11 +161,11 @@ Section step.
 Variable x : @placement floats.
 Hypothesis X : forall v, bounded (x v).
 
-Lemma reading_moderate s v : tame s -> (stamp (at_ s v) =? epoch s)%Z = false ->
-  stands 902 (reading s v (x v)) (reading (state_of s) v (places_of x v)) /\ 0 <= reading (state_of s) v (places_of x v) <= going B.
+Lemma path_length_moderate s v : tame s -> (stamp (at_ s v) =? epoch s)%Z = false ->
+  stands 902 (path_length s v (x v)) (path_length (state_of s) v (places_of x v)) /\ 0 <= path_length (state_of s) v (places_of x v) <= going B.
 Proof.
   intros T E. destruct (tame_base s T v) as [F [P U]]. rewrite E in U. split; [|split].
-  - apply (reading_right D G 900); [lia| |apply (tame_fixed s T)|apply X]. split; [exact F|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P.
+  - apply (path_length_right D G 900); [lia| |apply (tame_fixed s T)|apply X]. split; [exact F|]. split; [reflexivity|]. rewrite Rabs_pos_eq by exact P.
     destruct (gone_bounds B). lra.
   - destruct (read_above D (real (base (at_ s v))) (at_place (fixed (at_ s v))) (at_place (x v)) (connect.value_format _) P
       (box_right D G _ (tame_fixed s T v)) (box_right D G _ (X v))) as [_ H].
@@ -180,20 +180,20 @@ Theorem anchor_same (s : @state floats) v : tame s -> tame (anchor x s v) /\ sta
 Proof.
   intro T. unfold anchor. change (stamp (at_ (state_of s) v)) with (stamp (at_ s v)). change (epoch (state_of s)) with (epoch s).
   destruct (stamp (at_ s v) =? epoch s)%Z eqn:E; [now split|].
-  destruct (reading_moderate s v T E) as [(RF & RV & _) RP].
+  destruct (path_length_moderate s v T E) as [(RF & RV & _) RP].
   set (o := if @same_position floats (x v) (fixed (at_ s v)) then set_stamp (at_ s v) (epoch s) else _).
   set (o' := if @same_position reals _ _ then _ else _).
-  assert (O : odometer_of o = o').
+  assert (O : budget_of o = o').
   { unfold o, o'. change (@same_position reals) with (same_site D). change (fixed (at_ (state_of s) v)) with (at_place (fixed (at_ s v))).
     change (places_of x v) with (at_place (x v)). rewrite <- (same_right D G _ _ (X v) (tame_fixed s T v)).
     change (@same_position floats (x v) (fixed (at_ s v))) with (same_coordinates (coordinates (x v)) (coordinates (fixed (at_ s v)))).
-    destruct (same_coordinates _ _); [reflexivity|]. unfold odometer_of. cbn [fixed base room listing stamp]. f_equal. exact RV. }
+    destruct (same_coordinates _ _); [reflexivity|]. unfold budget_of. cbn [fixed base room listing stamp]. f_equal. exact RV. }
   assert (Ok : tame (set_at s v o)).
   { destruct (tame_base s T v) as [BF [BP BU]]. rewrite E in BU. apply tame_set_at; trivial; unfold o; destruct (same_position _ _); simpl.
     - apply (tame_fixed s T).
     - apply X.
     - rewrite Z.eqb_refl. split; [exact BF|split; [exact BP|]]. apply Rle_trans with (1 := BU), (going_bounds B).
-    - rewrite Z.eqb_refl. split; [exact RF|]. change (0 <= real (reading s v (x v)) <= going B). rewrite RV. exact RP.
+    - rewrite Z.eqb_refl. split; [exact RF|]. change (0 <= real (path_length s v (x v)) <= going B). rewrite RV. exact RP.
     - apply (tame_room s T).
     - apply (tame_room s T).
     - apply (tame_list s T).

@@ -1,16 +1,16 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* machine_state.v, continued: whole operations of the program on primitive floats and on reals.
 
-   - expired_same       find_expired: the same suspects
+   - expired_same       find_expired: the same pending certificates
    - committed_same     commit: what is written, and what starts again
-   - undone_same, settled_same, placed_same     undo_anchoring, settle, place *)
+   - undone_same, recomputed_same, placed_same     undo_anchoring, recompute, place *)
 From Coq Require Import Reals ZArith Lia Lra List Bool FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_model float_sums connect.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_listed high_word filter_doubles filter_world algorithm_filter.
+From Annulus Require Import algorithm_listed truncated_double filter_doubles filter_world algorithm_filter.
 From Annulus_traces Require Import machine_state.
 Import ListNotations.
 Notation real := operations.value.
@@ -29,7 +29,7 @@ Notation state_of := (state_of capacity stamps ratio D K G).
 Notation places_of := (places_of capacity stamps ratio D K G).
 Notation verdict_of := (verdict_of capacity stamps ratio D K G).
 Notation written_of := (written_of capacity stamps ratio D K G).
-Notation odometer_of := (odometer_of capacity stamps ratio D K G).
+Notation budget_of := (budget_of capacity stamps ratio D K G).
 Variable B : reach.
 Notation tame := (tame capacity stamps ratio D K G B).
 Notation small := (small capacity stamps ratio D K G B).
@@ -50,25 +50,25 @@ Hypothesis T : tame s.
 Lemma expiry_range i w : (0 <= expiry (record s i) w <= never)%Z.
 Proof. destruct (tame_expiry _ _ _ _ _ _ _ s T i w). lia. Qed.
 
-Lemma look_same f i : proper capacity (fst f) -> look_at s v f i = look_at (state_of s) v f i /\ proper capacity (fst (look_at s v f i)).
+Lemma check_expiry_same f i : proper capacity (fst f) -> check_expiry s v f i = check_expiry (state_of s) v f i /\ proper capacity (fst (check_expiry s v f i)).
 Proof.
-  destruct f as [l u]. intro P. unfold look_at. change (has (state_of s) i v) with (has s i v). rewrite <- (is_expired_same s i v T).
+  destruct f as [l u]. intro P. unfold check_expiry. change (has (state_of s) i v) with (has s i v). rewrite <- (is_expired_same s i v T).
   destruct (has s i v) eqn:H; cbn [negb]; [|now split]. destruct (is_expired s i v); [now split|]. split; [reflexivity|].
   unfold has in H. destruct (mesh s i) as [c|] eqn:M; [|discriminate]. apply put_proper; [now apply (tame_ids _ _ _ _ _ _ _ s T i c)|apply expiry_range|exact P].
 Qed.
 
-Lemma looks_same l : forall f, proper capacity (fst f) -> fold_left (look_at s v) l f = fold_left (look_at (state_of s) v) l f /\
-  proper capacity (fst (fold_left (look_at s v) l f)).
-Proof. induction l as [|i l IH]; intros f P; [now split|]. cbn [fold_left]. destruct (look_same f i P) as [E Q]. rewrite <- E. now apply IH. Qed.
+Lemma check_expiries_same l : forall f, proper capacity (fst f) -> fold_left (check_expiry s v) l f = fold_left (check_expiry (state_of s) v) l f /\
+  proper capacity (fst (fold_left (check_expiry s v) l f)).
+Proof. induction l as [|i l IH]; intros f P; [now split|]. cbn [fold_left]. destruct (check_expiry_same f i P) as [E Q]. rewrite <- E. now apply IH. Qed.
 
-Lemma tour_same f : tour s v f = tour (state_of s) v f /\ proper capacity (fst (tour s v f)).
+Lemma visit_star_same f : visit_star s v f = visit_star (state_of s) v f /\ proper capacity (fst (visit_star s v f)).
 Proof.
-  unfold tour. change (@around reals (mesh (state_of s)) v) with (@around floats (mesh s) v).
+  unfold visit_star. change (@around reals (mesh (state_of s)) v) with (@around floats (mesh s) v).
   replace (fun i => is_expired (state_of s) i v) with (fun i => is_expired s i v) by (apply functional_extensionality; intro; now apply is_expired_same).
   destruct (partition _ _) as [expired others] eqn:Q.
   change (@algorithm_filter.capacity floats) with capacity. change (@algorithm_filter.capacity reals) with capacity.
-  destruct (looks_same expired (cleared capacity, snd f) (cleared_proper capacity)) as [E P]. rewrite <- E.
-  destruct (fold_left (look_at s v) expired _) as [l u]. split; [reflexivity|]. cbn [fst] in *. apply put_many_proper; [|exact P].
+  destruct (check_expiries_same expired (cleared capacity, snd f) (cleared_proper capacity)) as [E P]. rewrite <- E.
+  destruct (fold_left (check_expiry s v) expired _) as [l u]. split; [reflexivity|]. cbn [fst] in *. apply put_many_proper; [|exact P].
   intros e I. apply in_map_iff in I. destruct I as (i & <- & I). cbn [fst snd]. split.
   - apply (around_all_ids (points_of _ K) (mesh s) v). apply (elements_in_partition _ _ Q). now right.
   - change (0 <= own s v i <= never)%Z. unfold own. destruct (has s i v); [exact (expiry_range i v)|unfold never; lia].
@@ -77,9 +77,9 @@ Qed.
 Lemma examine_same : examine s v = examine (state_of s) v /\ proper capacity (fst (examine s v)).
 Proof.
   unfold examine. rewrite <- (half_base s v T). change (listing (at_ (state_of s) v)) with (listing (at_ s v)).
-  assert (P := tame_list _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [apply tour_same|].
+  assert (P := tame_list _ _ _ _ _ _ _ s T v). destruct (rest (listing (at_ s v)) <=? half (base (at_ s v)))%Z; [apply visit_star_same|].
   assert (Q := take_proper capacity (half (base (at_ s v))) _ P). destruct (take _ _) as [visited l]. cbn [snd] in Q.
-  destruct (looks_same visited (l, []) Q) as [E R]. rewrite <- E. destruct (_ <=? _)%Z; [apply tour_same|now split].
+  destruct (check_expiries_same visited (l, []) Q) as [E R]. rewrite <- E. destruct (_ <=? _)%Z; [apply visit_star_same|now split].
 Qed.
 End look.
 
@@ -179,7 +179,7 @@ Proof.
   intro T. destruct (sum_same s v t T A) as [H S]. split.
   - apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|apply (tame_room _ _ _ _ _ _ _ s T)|].
     apply put_new_proper; [exact I|destruct S; lia|apply (tame_list _ _ _ _ _ _ _ s T)].
-  - unfold fresh_point. rewrite set_at_same. unfold odometer_of at 1. cbn [set_listing fixed base room listing stamp]. now rewrite <- H.
+  - unfold fresh_point. rewrite set_at_same. unfold budget_of at 1. cbn [set_listing fixed base room listing stamp]. now rewrite <- H.
 Qed.
 
 Lemma fold_same (f : @state floats -> nat -> @state floats) g : (forall s v, tame s -> tame (f s v) /\ state_of (f s v) = g (state_of s) v) ->

@@ -3,14 +3,14 @@
 
    - finished_same, committed_same      rebase, set_threshold, commit
    - stepped_same       a step
-   - settled_same, places_same          settle, place *)
+   - recomputed_same, places_same          recompute, place *)
 From Coq Require Import Reals ZArith Lia Lra List Bool FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
 From Annulus Require float_model float_sums bridge_decide.
 From Annulus Require Import operations bridge.
 From Annulus_traces Require Import machine machine_rounds machine_never.
-From Annulus Require Import algorithm_listed high_word filter_doubles filter_world algorithm_filter algorithm_run.
+From Annulus Require Import algorithm_listed truncated_double filter_doubles filter_world algorithm_filter algorithm_run.
 From Annulus_traces Require Import machine_state machine_steps.
 Import ListNotations.
 Notation real := operations.value.
@@ -39,9 +39,9 @@ Notation bounded := (in_bounds_all D G).
 Lemma latest_range l : proper capacity l -> (0 <= latest l)%Z.
 Proof.
   intros [_ [R E]]. unfold latest. assert (H : forall m found, (0 <= found)%Z -> (forall e, In e m -> (0 <= e)%Z) ->
-    (0 <= fold_left (fun found e => if (e =? vacant)%Z then found else expiry_of e) m found)%Z).
+    (0 <= fold_left (fun found e => if (e =? empty_entry)%Z then found else expiry_of e) m found)%Z).
   { induction m as [|e m IH]; intros found F A; [exact F|]. cbn [fold_left]. apply IH; [|intros f I; apply A; now right].
-    destruct (e =? vacant)%Z; [exact F|]. rewrite upper_half. apply Z.div_pos; [apply A; now left|lia]. }
+    destruct (e =? empty_entry)%Z; [exact F|]. rewrite upper_half. apply Z.div_pos; [apply A; now left|lia]. }
   apply H; [exact R|]. intros e I. now apply E.
 Qed.
 
@@ -65,7 +65,7 @@ Proof.
   - exact (proj2 (base_902 _ _ _ _ _ _ _ s v T)).
   - split.
     + apply tame_set_at; [exact T|apply (tame_fixed _ _ _ _ _ _ _ s T)|apply (tame_base _ _ _ _ _ _ _ s T)|exact F|apply (tame_list _ _ _ _ _ _ _ s T)].
-    + rewrite set_at_same. f_equal. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact V.
+    + rewrite set_at_same. f_equal. unfold budget_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact V.
 Qed.
 
 Lemma shifted_same (s : @state floats) v e : tame s -> small_expiry e ->
@@ -76,7 +76,7 @@ Proof.
   change (small_expiry (half_of half_mask_32 (left_of e (base (at_ s v))))). rewrite H. apply half_small.
   destruct (base_902 _ _ _ _ _ _ _ s v T) as [_ P].
   destruct (less_down e (real (base (at_ s v))) ltac:(lia) (connect.value_format _) P) as [L1 L2].
-  destruct (Rle_lt_dec (high_word.value e) (real (base (at_ s v)))) as [Q|Q].
+  destruct (Rle_lt_dec (truncated_double.value e) (real (base (at_ s v)))) as [Q|Q].
   - generalize (L1 Q) (bpow_ge_0 radix2 1000). lra.
   - generalize (L2 (Rlt_le _ _ Q)). lra.
 Qed.
@@ -100,7 +100,7 @@ Proof.
     + intros i w. unfold rebase. cbn [record]. destruct (has s i v); [|apply H]. cbn [expiry]. unfold set. destruct (same_vertex v w); [apply Sh|apply H].
   - unfold rebase. apply state_eq; try reflexivity.
     + intro w. cbn [at_]. change (@same_vertex floats) with Nat.eq_dec. change (@same_vertex reals) with Nat.eq_dec. unfold set.
-      destruct (Nat.eq_dec v w); [|reflexivity]. unfold odometer_of. cbn [fixed base room listing stamp]. f_equal.
+      destruct (Nat.eq_dec v w); [|reflexivity]. unfold budget_of. cbn [fixed base room listing stamp]. f_equal.
       apply (f_equal (fun f => fold_left f (around (mesh s) v) (cleared capacity))). apply functional_extensionality. intro l. apply functional_extensionality. intro i.
       change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity]. now rewrite (proj1 (Sh i)).
     + intro i. cbn [record]. change (has (state_of s) i v) with (has s i v). destruct (has s i v); [|reflexivity].
@@ -143,18 +143,18 @@ Qed.
 Lemma zero_tame : finite (@zero floats) = true /\ real (@zero floats) = 0.
 Proof. split; [reflexivity|exact bridge_decide.value_zero]. Qed.
 
-Theorem settled_same (x : @placement floats) (s : @state floats) m verdicts : (forall v, bounded (x v)) -> (forall i v, small_expiry (expiry (record s i) v)) ->
+Theorem recomputed_same (x : @placement floats) (s : @state floats) m verdicts : (forall v, bounded (x v)) -> (forall i v, small_expiry (expiry (record s i) v)) ->
   (forall i c, m i = Some c -> is_id i) -> (forall k, In k verdicts -> proper_verdict k) ->
-  tame (settle x s m verdicts) /\ state_of (settle x s m verdicts) = settle (places_of x) (state_of s) m (map verdict_of verdicts).
+  tame (recompute x s m verdicts) /\ state_of (recompute x s m verdicts) = recompute (places_of x) (state_of s) m (map verdict_of verdicts).
 Proof.
-  intros X H M V. unfold settle.
-  set (s0 := @Build_state floats x (fun v => @Build_odometer floats (x v) zero zero (cleared capacity) 0) m (record s) (epoch s) []).
+  intros X H M V. unfold recompute.
+  set (s0 := @Build_state floats x (fun v => @Build_budget floats (x v) zero zero (cleared capacity) 0) m (record s) (epoch s) []).
   assert (T : tame s0).
   { destruct zero_tame as [F Z]. split; trivial; intro v.
     - split; [exact F|]. cbn [s0 at_ base stamp]. rewrite Z. split; [apply Rle_refl|]. apply reach_pos.
     - apply cleared_proper. }
   destruct (verdicts_same _ _ _ _ _ _ _ _ _ (fun s k => fresh_same _ _ _ _ _ _ _ x s k) verdicts s0 T V) as [A E].
-  assert (Z : state_of s0 = @Build_state reals (places_of x) (fun v => @Build_odometer reals (places_of x v) zero zero (cleared capacity) 0) m
+  assert (Z : state_of s0 = @Build_state reals (places_of x) (fun v => @Build_budget reals (places_of x v) zero zero (cleared capacity) 0) m
     (record (state_of s)) (epoch s) []).
   { now apply state_eq. }
   rewrite Z in E. clear Z. cbv zeta.
@@ -165,14 +165,14 @@ Proof.
     (base_stands _ _ _ _ _ _ _ t v 999 A ltac:(lia)) (base_smaller _ _ _ _ _ _ _ t v A) (proj2 (base_902 _ _ _ _ _ _ _ t v A))).
   destruct A as [A1 A2 A3 A4 A5 A6 A7]. split.
   - split; trivial. exact (fun v => proj1 (R v)).
-  - apply state_eq; try easy. intro v. cbn [at_]. unfold odometer_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact (proj1 (proj2 (R v))).
+  - apply state_eq; try easy. intro v. cbn [at_]. unfold budget_of, set_room. cbn [fixed base room listing stamp]. f_equal. exact (proj1 (proj2 (R v))).
 Qed.
 
 Definition placed_of (n : @vertex floats * @position floats) : @vertex reals * @position reals := (fst n, place_of D G (snd n)).
 Lemma place_same (s : @state floats) n : tame s -> bounded (snd n) -> tame (place s n) /\ state_of (place s n) = @place reals (state_of s) (placed_of n).
 Proof.
   destruct n as [v p]. intros T P. unfold place, placed_of. cbn [fst snd].
-  set (o := @Build_odometer floats p (base (at_ s v)) zero (cleared capacity) (stamp (at_ s v))).
+  set (o := @Build_budget floats p (base (at_ s v)) zero (cleared capacity) (stamp (at_ s v))).
   assert (Q : tame (set_at s v o)).
   { apply tame_set_at; [exact T|exact P|apply (tame_base _ _ _ _ _ _ _ s T)|exact (proj1 zero_tame)|apply cleared_proper]. }
   split.

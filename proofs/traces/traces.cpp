@@ -79,7 +79,7 @@ struct History {
             return p;
         }();
         const bool blows = below(3) == 0;
-        const bool hops = below(12) == 0;  // one vertex: its odometer comes a long way
+        const bool hops = below(12) == 0;  // one vertex: its path length grows fast
         const std::uint64_t calls = hops ? 40 : below(16) == 0 ? 60 : 4 + below(12);
         for (std::uint64_t k = 0; k < calls; ++k) {
             try {

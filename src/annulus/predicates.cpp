@@ -3,10 +3,10 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
-#include <annulus/mesh/walk.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
 #include <annulus/predicate/half_width.h>
+#include <annulus/predicate/sure_orientation.h>
 #include <annulus/predicate/theta.h>
 #include <annulus/predicate/tolerances.h>
 

@@ -98,8 +98,8 @@ void check_everything(const Positions<d>& points, const Options& options) {
         check_told([&] { (void)mesh.move(one, std::span(&points[3], 1)); }, duplicate_point, {3, 5},
                    "vertices 3 and 5 would have the same position");
         const Index some[] = {1, 6, 8};
-        const Positions<d> goals{points[8], points[10], points[1]};  // two exchange positions, one is in the way
-        check_told([&] { (void)mesh.move(some, goals); }, duplicate_point, {6, 10},
+        const Positions<d> targets{points[8], points[10], points[1]};  // two exchange positions, one is in the way
+        check_told([&] { (void)mesh.move(some, targets); }, duplicate_point, {6, 10},
                    "vertices 6 and 10 would have the same position");
         const Positions<d> equal{points[8], points[8], points[1]};
         check_told([&] { (void)mesh.move(some, equal); }, duplicate_point, {1, 6},
@@ -165,12 +165,12 @@ TEMPLATE_TEST_CASE_SIG("Few vertices of many, -0 for 0, and the pair that is nam
         Moving_mesh<d> mesh(std::span<const Coordinates<d>>(points), options);
         (void)mesh.recompute_tolerances();
         const Index some[] = {17, 200};
-        Positions<d> goals{points[30], points[30]};
-        goals[0][0] = -0.0;
-        goals[1] = points[200];
-        check_told([&] { (void)mesh.move(some, goals); }, Error_code::duplicate_point, {17, 30},
+        Positions<d> targets{points[30], points[30]};
+        targets[0][0] = -0.0;
+        targets[1] = points[200];
+        check_told([&] { (void)mesh.move(some, targets); }, Error_code::duplicate_point, {17, 30},
                    "vertices 17 and 30 would have the same position");
-        check_told([&] { (void)mesh.insert(goals[0]); }, Error_code::duplicate_point, {30},
+        check_told([&] { (void)mesh.insert(targets[0]); }, Error_code::duplicate_point, {30},
                    "vertex 30 has the position of the point to be inserted");
         Positions<d> x = points;
         for (std::size_t i = 100; i < 110; ++i) x[i + 50] = x[i];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expect_fault.h"
 #include "gzip.h"
-#include "temporary_directory.h"
+#include "point_cases.h"
 
 #include <apps/formats/read_points.h>
 
@@ -10,32 +9,7 @@
 #include <vector>
 
 using namespace annulus;
-using annulus_test::expect_fault;
-using annulus_test::gzip;
-using annulus_test::Temporary_directory;
-
-namespace {
-
-using Points_2 = std::vector<Coordinates<2>>;
-using Points_3 = std::vector<Coordinates<3>>;
-using Lines = std::vector<std::uint64_t>;
-
-/// Refuses `content` under `name` at `line`, read in dimension d.
-template <int d>
-void refuse(const std::string& name, std::string_view content, std::uint64_t line, const std::string& fault,
-            Error_code code = Error_code::bad_input) {
-    const Temporary_directory directory;
-    expect_fault(
-        directory.file(name, content), line, fault, [](const auto& file) { (void)read_points<d>(file); }, code);
-}
-
-template <int d>
-Point_file<d> accept(const std::string& name, std::string_view content, const Read_options& options = {}) {
-    const Temporary_directory directory;
-    return read_points<d>(directory.file(name, content), options);
-}
-
-}  // namespace
+using namespace annulus_test;
 
 TEST_CASE("xyz: plain lines of two or three columns") {
     const auto flat = accept<2>("a.xyz", "0 1\n-2.5e-3\t+4\n\n# comment\n 5 6 # more\n");
@@ -107,57 +81,6 @@ TEST_CASE("csv: a column of the header may have no name") {
 TEST_CASE("csv: frames of a motion are not points of one set") {
     CHECK(accept<2>("a.csv", "frame,id,x,y\n7,1,1,2\n7,1,3,4\n").points == Points_2{{1, 2}, {3, 4}});
     refuse<2>("a.csv", "frame,id,x,y\n7,1,1,2\n8,1,3,4\n", 3, "a second frame after frame 7");
-}
-
-TEST_CASE("what gzip packed is read in every format, damaged or cut off it is refused") {
-    const Temporary_directory directory;
-    const auto read = [](const auto& file) { (void)read_points<2>(file); };
-    CHECK(accept<2>("A.XYZ.GZ", gzip("1 2\n") + gzip("3 4\n")).points == Points_2{{1, 2}, {3, 4}});
-    CHECK(accept<2>("a.csv.gz", gzip("\xef\xbb\xbfx,y\n1,2\n")).points == Points_2{{1, 2}});
-    CHECK(accept<3>("a.off.gz", gzip("OFF\n1 0 0\n1 2 3\n")).points == Points_3{{1, 2, 3}});
-    const std::string long_text = [] {
-        std::string text;
-        for (int i = 0; i < 40'000; ++i) text += std::to_string(i) + " " + std::to_string(i * 7919 % 40'000) + "\n";
-        return text;
-    }();
-    const auto many = accept<2>("a.xyz.gz", gzip(long_text.substr(0, 100'000)) + gzip(long_text.substr(100'000)));
-    REQUIRE(many.points.size() == 40'000);
-    CHECK(many.points.back() == Coordinates<2>{39'999, 39'999 * 7919 % 40'000});
-    // Packed content has lines, too: a fault is reported at the first incomplete one.
-    const std::string packed = gzip(long_text);
-    try {
-        read(directory.file("a.xyz.gz", packed.substr(0, packed.size() / 2)));
-        FAIL("was accepted");
-    } catch (const Input_error& error) {
-        CHECK(error.fault() == "is cut off");
-        CHECK(error.line() > 10'000u);
-        CHECK(error.line() < 30'000u);
-    }
-    expect_fault(directory.file("a.xyz.gz", packed.substr(0, packed.size() - 1)), 40'001, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", packed.substr(0, 1)), 1, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", packed + "and more"), 40'001, "damaged", read);
-    expect_fault(directory.file("a.off.gz", packed.substr(0, packed.size() / 2)), 0, "is cut off", read);
-    expect_fault(directory.file("a.xyz.gz", "1 2\n"), 1, "no gzip file", read);
-    expect_fault(directory.file("a.xyz.gz", ""), 1, "is empty", read);
-    expect_fault(directory.file("a.xyz.gz", gzip("")), 1, "is empty", read);
-    expect_fault(directory.file("a.gz", gzip("1 2\n")), 0, "has no extension", read);
-    expect_fault(directory.file("a.pp.gz", gzip("1 2\n")), 0, "unknown extension '.pp'", read);
-}
-
-TEST_CASE("a small file that unpacks without end is refused before it fills the memory", "[deep]") {
-    std::string bomb;
-    const std::string member = gzip(std::string(1 << 20, '\n'));
-    for (int i = 0; i < 100; ++i) bomb += member;
-    bomb.back() ^= 1;  // not checked
-    refuse<2>("a.off.gz", bomb, 0, "more than 100 times its size");
-    const Temporary_directory directory;
-    try {
-        (void)read_points<2>(directory.file("a.xyz.gz", bomb));
-        FAIL("was accepted");
-    } catch (const Input_error& error) {
-        CHECK(error.fault() == "grows to more than 100 times its size");
-        CHECK(error.line() > std::uint64_t{64} << 20);  // these lines are empty
-    }
 }
 
 TEST_CASE("off: comments, counts on the first line, variants with more columns, faces") {

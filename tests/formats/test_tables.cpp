@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "expect_fault.h"
 #include "gzip.h"
-#include "temporary_directory.h"
+#include "table_cases.h"
 
 #include <apps/formats/csv_frames.h>
 #include <apps/formats/frame_points.h>
@@ -19,88 +18,7 @@
 #include <vector>
 
 using namespace annulus;
-using annulus_test::expect_fault;
-using annulus_test::gzip;
-using annulus_test::Temporary_directory;
-
-namespace {
-
-using Points_3 = std::vector<Coordinates<3>>;
-using Numbers = std::vector<std::uint64_t>;
-using Words = std::vector<std::string>;
-
-/// All of a motion.
-struct Motion {
-    std::vector<Frame> frames;
-    std::vector<Words> ids;  ///< by frame, as they are written
-    Taken_columns columns;
-    Words notes;
-    bool has_z = false;
-
-    [[nodiscard]] Numbers numbers() const {
-        Numbers result;
-        for (const Frame& f : frames) result.push_back(f.number);
-        return result;
-    }
-    [[nodiscard]] std::string column(const std::string& what) const {
-        for (const auto& [name, words] : columns)
-            if (name == what) return words;
-        return "";
-    }
-};
-
-Motion read(const std::filesystem::path& file, const Motion_options& options = {}) {
-    Motion_reader reader(file, options);
-    Motion motion;
-    for (Frame frame; reader.next(frame);) {
-        motion.frames.push_back(frame);
-        motion.ids.emplace_back();
-        for (const std::uint64_t id : frame.id) motion.ids.back().push_back(reader.ids().text(id));
-    }
-    motion.columns = reader.columns();
-    motion.notes = reader.notes();
-    motion.has_z = reader.has_z();
-    return motion;
-}
-
-Motion accept(std::string_view content, const std::string& columns = {}, const std::string& name = "a.csv") {
-    const Temporary_directory directory;
-    return read(directory.file(name, content), {.columns = parse_column_choice(columns)});
-}
-
-void refuse(std::string_view content, std::uint64_t line, const std::string& fault, const std::string& columns = {},
-            Error_code code = Error_code::bad_input) {
-    const Temporary_directory directory;
-    expect_fault(
-        directory.file("a.csv", content), line, fault,
-        [&](const auto& file) { (void)read(file, {.columns = parse_column_choice(columns)}); }, code);
-}
-
-/// The same through a pipe.
-template <class Use>
-void with_pipe(const std::string& content, Use use) {
-    const Temporary_directory directory;
-    const auto pipe = directory.path() / "pipe.csv";
-    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-    std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << content; });
-    use(pipe);
-    writer.join();
-}
-
-/// Four points, two frames: by frame, the id and position of each.
-const std::vector<Points_3> walk{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1.25, 0}},
-                                 {{0.5, 0, 0}, {1, 0.5, 0}, {0, 1, 0}, {1, 1.5, 0}}};
-
-void check_walk(const Motion& motion) {
-    REQUIRE(motion.frames.size() == 2);
-    for (std::size_t f = 0; f < 2; ++f) {
-        CHECK(motion.frames[f].number == f);
-        CHECK(motion.ids[f] == Words{"1", "2", "3", "4"});
-        CHECK(motion.frames[f].position == walk[f]);
-    }
-}
-
-}  // namespace
+using namespace annulus_test;
 
 TEST_CASE("tables: what tracking programs write is read, and which columns were taken is told", "[io][tables]") {
     const Motion petrack = accept(
@@ -361,57 +279,6 @@ TEST_CASE("tables: a row without coordinates is a point that is absent", "[io][t
     const Temporary_directory directory;
     expect_fault(directory.file("a.csv", "x,y\n1,2\n,\n"), 3, "x is missing",
                  [](const auto& file) { (void)read_points<2>(file); });
-}
-
-TEST_CASE("tables: separators, decimal commas, exponents", "[io][tables]") {
-    const Points_3 expected{{1.5, -25, 0}, {3, 0.25, 0}};
-    for (const char* content :
-         {"frame;id;x;y\n0;1;1,5;-2,5e1\n0;2;3;0,25\n", "frame\tid\tx\ty\n0\t1\t1,5\t-25\n0\t2\t3\t0,25\n",
-          "frame id x y\n0 1 1,5 -25\n0 2 3 ,25\n", "frame,id,x,y\n0,1,1.5D0,-2.5d+1\n0,2,3,2.5D-001\n",
-          "  frame   id x y  \n 0  1 1.5 -25\n\n 0 2\t3 0.25 \n", "# frame id x y\n0 1 1.5 -25\n0 2 3 0.25\n",
-          "frame,id,x,y\n0,1,1.5,-25,\n0,2,3,0.25\n", "# frame id x y\n0\t1\t1,5\t-25\n0\t2\t3\t0,25\n",
-          "frame, id, x, y\r\n0, 1, 1.5, -25\r\n0, 2, 3, 0.25\r\n", "frame,id,x,y\n0;1;1,5;-25\n0;2;3;0,25\n"}) {
-        INFO(content);
-        CHECK(accept(content).frames[0].position == expected);
-    }
-    refuse("frame;id;x;y\n0;1;1,5;0\n0;2;1.5;0\n", 3, "x is '1.5', and numbers above have a decimal comma");
-    refuse("frame;id;x;y\n0;1;1.5;0\n0;2;1,234;0\n", 3, "x is '1,234', and numbers above have a decimal point");
-    refuse("frame;id;x;y\n0;1;1,234,567;0\n", 2, "x is not a number");
-    refuse("frame,id,x,y\n0,1,1,5,0\n", 2, "has 5 columns");
-    for (const char* extension : {"a.csv", "a.tsv", "a.txt", "a.dat", "a.TXT"})
-        CHECK(accept("frame\tid\tx\ty\n0\t1\t2\t3\n", "", extension).frames.size() == 1);
-    const Temporary_directory directory;
-    CHECK(read_points<2>(directory.file("a.txt", "1 2\n3 4\n")).points == std::vector<Coordinates<2>>{{1, 2}, {3, 4}});
-    CHECK(read_points<3>(directory.file("a.txt", "# x y z\n1 2 3\n")).points == Points_3{{1, 2, 3}});
-}
-
-TEST_CASE("tables: lines around the rows", "[io][tables]") {
-    // A sentence is no header, unless rows are separated as it is.
-    const Temporary_directory directory;
-    CHECK(read_points<3>(directory.file("a.csv", "# x and y\n1,2,3\n")).points == Points_3{{1, 2, 3}});
-    CHECK(accept("# x y id frame\nframe,id,x,y\n0,1,2,3\n").frames[0].position == Points_3{{2, 3, 0}});
-    // Below the header three lines of words at the most, each with all columns.
-    const std::string words = "a,b,c,d\n";
-    CHECK(accept("frame,id,x,y\n" + words + words + words + "0,1,2,3\n").frames[0].line == Numbers{5});
-    refuse("frame,id,x,y\n" + words + words + words + words + "0,1,2,3\n", 5, "the frame is not a number: 'a'");
-    refuse("frame,id,x,y\na,b,c\n0,1,2,3\n", 2, "has 3 columns");
-    CHECK(accept("frame,id,x,y\n# m, m\n#\n0,1,2,3\n").frames[0].line == Numbers{4});
-    // Comments may end a table, and are rows where another row follows.
-    CHECK(accept("frame,id,x,y\n0,1,2,3\n# made by hand\n\n#\n").frames.size() == 1);
-    refuse("frame,id,x,y\n0,1,2,3\n# by hand\n0,2,3,4\n", 3, "has 1 column");
-    refuse("frame,id,x,y\n0,1,2,3\n#0,2,3,4\n", 3, "the frame is not a number: '#0'");
-    std::string comments;
-    for (int i = 0; i < 1200; ++i) comments += "# a comment\n";
-    CHECK(accept(comments + "title\nframe,id,x,y\n0,1,2,3\n").frames[0].line == Numbers{1203});
-    // Text without an end is no table.
-    refuse(
-        [] {
-            std::string text;
-            for (int i = 0; i < 1002; ++i) text += "word\n";
-            return text;
-        }(),
-        1001, "has 1000 lines without a number");
-    refuse("these are words\nand more\n", 1, "the header names no column frame");
 }
 
 TEST_CASE("tables: how many rows are sorted in memory is bounded", "[io][tables]") {

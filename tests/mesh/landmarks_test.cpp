@@ -3,6 +3,7 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/mesh/walk.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <support/generators.h>
 #include <support/meshes.h>

@@ -29,29 +29,29 @@ Moving_delaunay_3 delaunay(const std::vector<Coordinates<3>>& points) {
 
 TEST_CASE("adjacency is what shares three vertices", "[motion][cells]") {
     const auto points = random_points(60, 3);
-    const Cells_3 cells = linked(delaunay(points).audit_input().cells, points.size());
+    const Mesh_cells<3> cells = linked(delaunay(points).audit_input().cells, points.size());
     std::size_t open = 0;
-    for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
-            std::set<Index> facet(cells.vertex[c].begin(), cells.vertex[c].end());
-            facet.erase(cells.vertex[c][i]);
+            std::set<Index> facet(cells.vertices[c].begin(), cells.vertices[c].end());
+            facet.erase(cells.vertices[c][i]);
             std::vector<Index> others;
-            for (std::size_t e = 0; e < cells.size(); ++e) {
-                const std::set<Index> all(cells.vertex[e].begin(), cells.vertex[e].end());
+            for (std::size_t e = 0; e < cells.vertices.size(); ++e) {
+                const std::set<Index> all(cells.vertices[e].begin(), cells.vertices[e].end());
                 if (e != c && std::includes(all.begin(), all.end(), facet.begin(), facet.end()))
                     others.push_back(static_cast<Index>(e));
             }
             REQUIRE(others.size() <= 1);
             open += others.empty();
-            CHECK(cells.adjacent[c][i] == (others.empty() ? none : others[0]));
+            CHECK(cells.neighbours[c][i] == (others.empty() ? cells.outside : others[0]));
         }
     // Facets of the hull: those of all cells are a closed surface, counter-clockwise from outside.
-    const auto hull = surface_facets(cells, std::vector<char>(cells.size(), 1));
+    const auto hull = surface_facets(cells, std::vector<char>(cells.vertices.size(), 1));
     CHECK(hull.size() == open);
     const Triangle_surface surface{points, hull};
     CHECK(closed(surface));
     double volume = 0;
-    for (const auto& c : cells.vertex) {
+    for (const auto& c : cells.vertices) {
         const auto p = [&](std::size_t i) { return points[static_cast<std::size_t>(c[i])]; };
         const double v = cell_moment(p(0), p(1), p(2), p(3)).volume;
         CHECK(v > 0);

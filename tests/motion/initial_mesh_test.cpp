@@ -26,11 +26,11 @@ double far(const Coordinates<3>& a, const Coordinates<3>& b) {
 double meshed_volume(const Domain_3& domain, const std::vector<Coordinates<3>>& points) {
     Options options;
     options.strategy = Strategy::rebuild;
-    const Cells_3 cells = linked(Moving_delaunay_3(points, options).audit_input().cells, points.size());
+    const Mesh_cells<3> cells = linked(Moving_delaunay_3(points, options).audit_input().cells, points.size());
     const auto inside = cells_inside(domain, cells, points);
     double sum = 0;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertex[c][i])]; };
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
+        const auto at = [&](std::size_t i) { return points[static_cast<std::size_t>(cells.vertices[c][i])]; };
         if (inside[c] != 0) sum += cell_moment(at(0), at(1), at(2), at(3)).volume;
     }
     return sum;

@@ -26,33 +26,33 @@ Moving_delaunay_3 kept(const Points& points) {
 }
 
 /// The cells in their order, by sorting all of them and linking by a map of facets.
-Cells_3 cells_of(const Moving_delaunay_3& dt) {
-    Cells_3 out;
-    out.vertex = dt.audit_input().cells;
-    for (auto& c : out.vertex) c = in_order(c);
-    std::sort(out.vertex.begin(), out.vertex.end());
+Mesh_cells<3> cells_of(const Moving_delaunay_3& dt) {
+    Mesh_cells<3> out;
+    out.vertices = dt.audit_input().cells;
+    for (auto& c : out.vertices) c = in_order(c);
+    std::sort(out.vertices.begin(), out.vertices.end());
     std::vector<std::array<Index, 5>> facets;  // sorted corners, cell, slot
-    for (std::size_t c = 0; c < out.size(); ++c)
+    for (std::size_t c = 0; c < out.vertices.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
             std::array<Index, 3> f{};
-            for (std::size_t k = 0; k < 3; ++k) f[k] = out.vertex[c][(i + k + 1) % 4];
+            for (std::size_t k = 0; k < 3; ++k) f[k] = out.vertices[c][(i + k + 1) % 4];
             std::sort(f.begin(), f.end());
             facets.push_back({f[0], f[1], f[2], static_cast<Index>(c), static_cast<Index>(i)});
         }
     std::sort(facets.begin(), facets.end());
-    out.adjacent.assign(out.size(), {none, none, none, none});
+    out.neighbours.assign(out.vertices.size(), {out.outside, out.outside, out.outside, out.outside});
     for (std::size_t k = 0; k + 1 < facets.size(); ++k) {
         const auto &f = facets[k], &g = facets[k + 1];
         if (!std::equal(f.begin(), f.begin() + 3, g.begin())) continue;
-        out.adjacent[static_cast<std::size_t>(f[3])][static_cast<std::size_t>(f[4])] = g[3];
-        out.adjacent[static_cast<std::size_t>(g[3])][static_cast<std::size_t>(g[4])] = f[3];
+        out.neighbours[static_cast<std::size_t>(f[3])][static_cast<std::size_t>(f[4])] = g[3];
+        out.neighbours[static_cast<std::size_t>(g[3])][static_cast<std::size_t>(g[4])] = f[3];
     }
     return out;
 }
 
-void check_same(const Kept_cells_3& got, const Cells_3& expected) {
-    REQUIRE((got.cells().vertex == expected.vertex));
-    REQUIRE((got.cells().adjacent == expected.adjacent));
+void check_same(const Kept_cells_3& got, const Mesh_cells<3>& expected) {
+    REQUIRE((got.cells().vertices == expected.vertices));
+    REQUIRE((got.cells().neighbours == expected.neighbours));
 }
 
 bool same_bits(std::span<const Cell_moment> a, std::span<const Cell_moment> b) {

@@ -10,7 +10,7 @@ TEST_CASE("angles and slivers of cells with a flag", "[measure][mesh]") {
     // Corner of a cube (three angles of 90 degrees, three of 54.7), a sliver (nearly a square), and one without a flag.
     const std::vector<Coordinates<3>> x{{0, 0, 0},    {1, 0, 0},  {0, 1, 0},    {0, 0, 1}, {5, 1, 0},
                                         {6, 0, 0.01}, {5, -1, 0}, {4, 0, 0.01}, {9, 9, 9}};
-    const Cells_3 cells = linked({{0, 1, 2, 3}, {4, 6, 5, 7}, {0, 1, 3, 8}}, x.size());
+    const Mesh_cells<3> cells = linked({{0, 1, 2, 3}, {4, 6, 5, 7}, {0, 1, 3, 8}}, x.size());
     const std::vector<char> inside{1, 1, 0};
     const Mesh_quality q = mesh_quality(cells, inside, x);
     CHECK(q.cells == 2);

@@ -31,7 +31,7 @@ TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with t
 
     const Surface_3 box(annulus_test::box({0.9, 0.9, 0.9}));
     const std::vector<Coordinates<3>> space = annulus_test::random_points(1500, 7);
-    const Cells_3 cells = linked(Moving_delaunay_3(space).audit_input().cells, space.size());
+    const Mesh_cells<3> cells = linked(Moving_delaunay_3(space).audit_input().cells, space.size());
     const Nodt_3 nodt(box, Sizing_3(box, 1), vertices_on_surface(box, space), {}, 2);
     const auto nodt_targets = [&] {
         std::vector<Coordinates<3>> target(space.size());

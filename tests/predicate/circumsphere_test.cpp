@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sphere of a cell where its error bounds matter: next to a change of sign, and at the ends of their range.
+// The sphere of a cell against rational numbers, and where its error bounds matter: next to a change of sign, and at
+// the ends of their range.
 
 #include <support/arbitrary.h>
 #include <support/catch.h>
+#include <support/oracle_3.h>
 #include <support/stages_3.h>
 
 #include <annulus/predicate/bounds.h>
 #include <annulus/predicate/circumsphere_3.h>
 #include <annulus/predicate/orientation_sign.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -109,4 +112,39 @@ TEST_CASE("The sphere of a cell answers in the range of its error bounds and now
         p[k] = -2 * most;
         CHECK(!large.excludes(p));
     }
+}
+
+TEST_CASE("The sphere of a cell claims nothing that is not so", "[certificate][space]") {
+    const auto check = [](const std::array<Point_3, 4>& x, const Point_3& p) {
+        const Circumsphere_3 sphere(x[0], x[1], x[2], x[3]);
+        if (!sphere.positive()) return false;
+        HOLDS(exact_orientation(x[0], x[1], x[2], x[3]) > 0, (Tetrahedron{x[0], x[1], x[2], x[3]}));
+        if (!sphere.excludes(p)) return false;
+        HOLDS(exact_empty_sphere(x[0], x[1], x[2], x[3], p) > 0, (Bicell_3{x[0], x[1], x[2], p, x[3]}));
+        return true;
+    };
+    REQUIRE(for_all("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
+        Random random = seed.random();
+        for_each_bicell_3(seed.random(), 4, [&](const Bicell_3& c) {
+            std::array<Point_3, 4> x{c.a, c.b, c.c, c.q};
+            // Even permutations: the orientation stays.
+            const auto even = static_cast<std::ptrdiff_t>(random() % 3);
+            std::rotate(x.begin(), x.begin() + even, x.begin() + 3);
+            if (random() % 2 == 0) {
+                std::swap(x[0], x[3]);
+                std::swap(x[1], x[2]);
+            }
+            (void)check(x, c.p);
+            (void)check({c.b, c.a, c.c, c.p}, c.q);
+        });
+    }));
+    REQUIRE(for_all("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
+        Random random = seed.random();
+        int claimed = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Bicell_3 c = delaunay_bicell(Family_3::uniform, random);
+            claimed += check({c.a, c.b, c.c, c.q}, c.p) || check({c.b, c.a, c.c, c.q}, c.p) ? 1 : 0;
+        }
+        RC_ASSERT(claimed > 95);
+    }));
 }

@@ -21,7 +21,7 @@ namespace {
     for (std::size_t i = 0; i < x.size(); ++i) quotient(x[i], y[i], q[i]);
 }
 [[gnu::noinline]] void tight(const Interval& d, double& lower, bool& is) {
-    is = detail::quotient_lower_tight(d, 4.0, 4.0, lower);
+    is = detail::quotient_lower_in_slack(d, 4.0, 4.0, lower);
 }
 [[gnu::noinline]] void unscaled(const double& x, const detail::Scale& s, double& r) {
     r = detail::unscaled_lower(x, s);

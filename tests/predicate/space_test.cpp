@@ -258,7 +258,6 @@ TEST_CASE("half widths of space known in closed form", "[certificate][space]") {
     }
 }
 
-// Shown in bench/README.md: annulus-tests '[failure-rates]' prints the tables.
 TEST_CASE("how often each stage in space passes the question on", "[certificate][space][failure-rates]") {
     Random random(22);
     const int each = repeats(2000);
@@ -283,39 +282,4 @@ TEST_CASE("how often each stage in space passes the question on", "[certificate]
         if (family == Family_3::uniform) CHECK(leavers.filter < each / 50);
     }
     std::fflush(stdout);
-}
-
-TEST_CASE("The sphere of a cell claims nothing that is not so", "[certificate][space]") {
-    const auto check = [](const std::array<Point_3, 4>& x, const Point_3& p) {
-        const Circumsphere_3 sphere(x[0], x[1], x[2], x[3]);
-        if (!sphere.positive()) return false;
-        HOLDS(exact_orientation(x[0], x[1], x[2], x[3]) > 0, (Tetrahedron{x[0], x[1], x[2], x[3]}));
-        if (!sphere.excludes(p)) return false;
-        HOLDS(exact_empty_sphere(x[0], x[1], x[2], x[3], p) > 0, (Bicell_3{x[0], x[1], x[2], p, x[3]}));
-        return true;
-    };
-    REQUIRE(for_all("of bi-cells of every family, whichever corner comes first", [&check](const Seed& seed) {
-        Random random = seed.random();
-        for_each_bicell_3(seed.random(), 4, [&](const Bicell_3& c) {
-            std::array<Point_3, 4> x{c.a, c.b, c.c, c.q};
-            // Even permutations: the orientation stays.
-            const auto even = static_cast<std::ptrdiff_t>(random() % 3);
-            std::rotate(x.begin(), x.begin() + even, x.begin() + 3);
-            if (random() % 2 == 0) {
-                std::swap(x[0], x[3]);
-                std::swap(x[1], x[2]);
-            }
-            (void)check(x, c.p);
-            (void)check({c.b, c.a, c.c, c.p}, c.q);
-        });
-    }));
-    REQUIRE(for_all("and it says so of nearly every ordinary one", [&check](const Seed& seed) {
-        Random random = seed.random();
-        int claimed = 0;
-        for (int i = 0; i < 100; ++i) {
-            const Bicell_3 c = delaunay_bicell(Family_3::uniform, random);
-            claimed += check({c.a, c.b, c.c, c.q}, c.p) || check({c.b, c.a, c.c, c.q}, c.p) ? 1 : 0;
-        }
-        RC_ASSERT(claimed > 95);
-    }));
 }

@@ -6,6 +6,7 @@
 #include <support/arbitrary.h>
 #include <support/catch.h>
 #include <support/certificates_of.h>
+#include <support/exact_moves.h>
 #include <support/generators_3.h>
 #include <support/repeats.h>
 #include <support/small_sets.h>

@@ -4,6 +4,7 @@
 // The worst moves for a whole triangulation, and the guarantees of its tolerances against them. In 2D and in 3D.
 
 #include <support/certificates_of.h>
+#include <support/exact_moves.h>
 #include <support/point_sets_3.h>
 #include <support/squeezes.h>
 #include <support/stages.h>

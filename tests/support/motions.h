@@ -5,6 +5,8 @@
 // strategy that follows it do not change it.
 
 #include <support/generators.h>
+#include <support/motion_kinds.h>
+#include <support/motion_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,49 +14,6 @@
 #include <optional>
 
 namespace annulus::testing {
-
-enum class Motion_kind {
-    shear,         ///< x += rate * y, back where the shear has become large
-    rotation,      ///< as a whole, about an axis
-    drift,         ///< all points move straight, reflected by the walls of the box
-    common_drift,  ///< all points move away together, a few at their own pace
-    breathing,     ///< every axis swells and shrinks at its own pace
-    orbits,        ///< every point on its own circle
-    flow,          ///< a steady divergence-free flow
-    reversal,      ///< a drift that turns round every 4,094 to 4,098 steps
-    acceleration,  ///< a drift from 1e-9 to 1e-1 spacings a step, and again
-    settling,      ///< steps that shrink until nothing changes any more, then a new start
-    growth,        ///< from 2^-60 to 2^60 and back
-    jitter,        ///< again around the same places
-    bursts,        ///< rest, and now and then a few steps that are large, or a vertex far away
-    teleports,     ///< one vertex a step to any place
-    few_movers,    ///< one to three vertices walk, then others
-    rest_and_go,   ///< a drift that stops for a while and goes on
-    oscillation,   ///< a grid that is perturbed and becomes exactly a grid again
-    cocircular,    ///< the same of points that are exactly on one circle or sphere
-    sliding,       ///< rows of a grid slide along each other, by exact fractions of the spacing
-    clusters,      ///< a walk in clusters of very different sizes
-    walk_tiny,     ///< random walks: steps of 1e-6 spacings
-    walk_small,    ///< 1e-3
-    walk_middle,   ///< 0.03
-    walk_large,    ///< 1
-};
-inline constexpr std::array all_motions{
-    Motion_kind::shear,        Motion_kind::rotation,   Motion_kind::drift,       Motion_kind::common_drift,
-    Motion_kind::breathing,    Motion_kind::orbits,     Motion_kind::flow,        Motion_kind::reversal,
-    Motion_kind::acceleration, Motion_kind::settling,   Motion_kind::growth,      Motion_kind::jitter,
-    Motion_kind::bursts,       Motion_kind::teleports,  Motion_kind::few_movers,  Motion_kind::rest_and_go,
-    Motion_kind::oscillation,  Motion_kind::cocircular, Motion_kind::sliding,     Motion_kind::clusters,
-    Motion_kind::walk_tiny,    Motion_kind::walk_small, Motion_kind::walk_middle, Motion_kind::walk_large};
-
-[[nodiscard]] constexpr std::string_view name_of(Motion_kind kind) {
-    constexpr std::array<std::string_view, all_motions.size()> names{
-        "shear",   "rotation",  "drift",        "common-drift", "breathing",   "orbits",
-        "flow",    "reversal",  "acceleration", "settling",     "growth",      "jitter",
-        "bursts",  "teleports", "few-movers",   "rest-and-go",  "oscillation", "cocircular",
-        "sliding", "clusters",  "walk-tiny",    "walk-small",   "walk-middle", "walk-large"};
-    return names[static_cast<std::size_t>(kind)];
-}
 
 /// Positions of n points, step after step. Most kinds keep to a box of side 1; none leaves the domain.
 /// Points are distinct at the start and nearly always later: a degenerate kind may bring two together.
@@ -118,7 +77,7 @@ class Long_motion {
     }
     void place_grid_or_circle() {
         std::vector<Place> homes;
-        if (kind_ == Motion_kind::cocircular) homes = integer_points_of_one_norm();
+        if (kind_ == Motion_kind::cocircular) homes = integer_points_of_one_norm<d>();
         std::shuffle(homes.begin(), homes.end(), random_);
         int side = 1;
         while (std::pow(side, d) < static_cast<double>(members_.size())) ++side;
@@ -140,26 +99,6 @@ class Long_motion {
                 home = i < homes.size() ? homes[i] : anywhere();
             }
         }
-    }
-    static std::vector<Place> integer_points_of_one_norm() {
-        std::vector<Place> points;
-        if constexpr (d == 2) {
-            constexpr int r = 32045;  // 5 * 13 * 17 * 29: 324 points
-            for (int x = -r; x <= r; ++x) {
-                const double square = static_cast<double>(r) * r - static_cast<double>(x) * x;
-                const double y = std::sqrt(square);  // exact where it is an integer
-                if (y != std::floor(y)) continue;
-                points.push_back({x * 0x1p-16, y * 0x1p-16});
-                if (y != 0) points.push_back({x * 0x1p-16, -y * 0x1p-16});
-            }
-        } else {
-            constexpr int r = 45;
-            for (int x = -r; x <= r; ++x)
-                for (int y = -r; y <= r; ++y)
-                    for (int z = -r; z <= r; ++z)
-                        if (x * x + y * y + z * z == r * r) points.push_back({x * 0x1p-6, y * 0x1p-6, z * 0x1p-6});
-        }
-        return points;
     }
     void start(std::size_t i) {
         Member& m = members_[i];
@@ -231,7 +170,7 @@ class Long_motion {
             case Motion_kind::acceleration: return reflected(shifted(p, m.velocity, pace_), m.velocity);
             case Motion_kind::reversal: return shifted(p, m.velocity, forward_ * std::min(pace_, spacing_ * 0x1p-12));
             case Motion_kind::common_drift: return shifted(shifted(p, common_, pace_), m.velocity, pace_ / 64);
-            case Motion_kind::flow: return along_flow(p);
+            case Motion_kind::flow: return shifted(p, steady_flow<d>(p, flow_), pace_);
             case Motion_kind::settling: return reflected(shifted(p, m.velocity, pace_), m.velocity);
             case Motion_kind::jitter: return shifted(m.home, direction(), amplitude_);
             case Motion_kind::bursts:
@@ -318,21 +257,6 @@ class Long_motion {
         }
         return p;
     }
-    /// Taylor and Green's vortices in 2D, one of the flows of Arnold, Beltrami and Childress in 3D.
-    [[nodiscard]] Place along_flow(const Place& p) const {
-        constexpr double pi = std::numbers::pi;
-        Place u{};
-        if constexpr (d == 2) {
-            u = {std::sin(pi * flow_ * p[0]) * std::cos(pi * flow_ * p[1]),
-                 -std::cos(pi * flow_ * p[0]) * std::sin(pi * flow_ * p[1])};
-        } else {
-            u = {std::sin(pi * flow_ * p[2]) + std::cos(pi * flow_ * p[1]),
-                 std::sin(pi * flow_ * p[0]) + std::cos(pi * flow_ * p[2]),
-                 std::sin(pi * flow_ * p[1]) + std::cos(pi * flow_ * p[0])};
-        }
-        return shifted(p, u, pace_);
-    }
-
     Motion_kind kind_;
     Random random_;
     double spacing_;

@@ -2,11 +2,13 @@
 #include <annulus/engine/clear_cells.h>
 
 #include <annulus/predicate/bounds.h>
+#include <annulus/predicate/sphere_terms.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #if defined(__x86_64__)
 #define ANNULUS_AVX2 __attribute__((target("avx2")))
@@ -19,56 +21,46 @@ namespace annulus::inline v1 {
 
 namespace {
 
-/// A number of each of four cells. `Lanes` (predicate/lanes.h) has only as many as the baseline of the target.
-using Four = double __attribute__((vector_size(32)));
+using Register = double __attribute__((vector_size(32)));
 using Two = double __attribute__((vector_size(16)));
+
+/// A number of each of four cells. `Lanes` (predicate/lanes.h) has only as many as the baseline of the target. A class,
+/// since clang lets no function return a vector that its own target does not have. Its operators have the target of the
+/// function that they are inlined into.
+struct Four {
+    Register v;
+    [[gnu::always_inline]] friend inline Four operator+(const Four& a, const Four& b) { return {a.v + b.v}; }
+    [[gnu::always_inline]] friend inline Four operator-(const Four& a, const Four& b) { return {a.v - b.v}; }
+    [[gnu::always_inline]] friend inline Four operator*(const Four& a, const Four& b) { return {a.v * b.v}; }
+};
+ANNULUS_INLINE Four four(double x) { return {x - Register{}}; }
+ANNULUS_INLINE Four greater(const Four& a, const Four& b) { return {a.v > b.v ? a.v : b.v}; }
+ANNULUS_INLINE Four lesser(const Four& value, const Four& least) { return {value.v < least.v ? value.v : least.v}; }
+ANNULUS_INLINE Four absolute(const Four& a) { return greater(a, {-a.v}); }
+
 template <int d>
-using Vector = std::array<Four, d>;
+using Vector = std::conditional_t<d == 2, Vector_2<Four>, Vector_3<Four>>;
 
-ANNULUS_INLINE Four greater(Four a, Four b) { return a > b ? a : b; }
-template <int d>
-ANNULUS_INLINE Four magnitude(const Vector<d>& a) {
-    Four m = greater(a[0], -a[0]);
-    for (std::size_t k = 1; k < d; ++k) m = greater(m, greater(a[k], -a[k]));
-    return m;
+// What sphere_terms.h calls, always inlined like it. Elsewhere code would double if these were (width_terms_3.h).
+[[gnu::always_inline]] inline Four squared(const Four& a) { return a * a; }
+[[gnu::always_inline]] inline Four dot(const Vector<3>& a, const Vector<3>& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
-template <std::size_t d>
-ANNULUS_INLINE std::array<Four, d> difference(const std::array<Four, d>& a, const std::array<Four, d>& b) {
-    std::array<Four, d> r;
-    for (std::size_t k = 0; k < d; ++k) r[k] = a[k] - b[k];
-    return r;
-}
-ANNULUS_INLINE Four dot(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[0] + a[1] * b[1]; }
-ANNULUS_INLINE Four dot(const Vector<3>& a, const Vector<3>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-ANNULUS_INLINE Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+[[gnu::always_inline]] inline Four square(const Vector<3>& a) { return dot(a, a); }
+[[gnu::always_inline]] inline Vector<3> cross(const Vector<3>& a, const Vector<3>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// The determinants of cells and a normal, from their edges, and the determinant of a point w: Circumcircle_2.
-ANNULUS_INLINE Vector<2> sphere(const std::array<Vector<2>, 2>& e, Four& determinant) {
-    const auto& [u, v] = e;
-    const Four uu = dot(u, u), vv = dot(v, v);
-    determinant = u[0] * v[1] - u[1] * v[0];
-    return {u[1] * vv - v[1] * uu, v[0] * uu - u[0] * vv};
+ANNULUS_INLINE Four magnitude(const Vector<2>& a) { return greater(absolute(a.x), absolute(a.y)); }
+ANNULUS_INLINE Four magnitude(const Vector<3>& a) {
+    return greater(greater(absolute(a.x), absolute(a.y)), absolute(a.z));
 }
-ANNULUS_INLINE Four outside(const Vector<2>& normal, Four determinant, const Vector<2>& w) {
-    return dot(w, normal) + dot(w, w) * determinant;
-}
-/// The same: Circumsphere_3.
-ANNULUS_INLINE Vector<3> sphere(const std::array<Vector<3>, 3>& e, Four& determinant) {
-    const auto& [u, v, t] = e;
-    const Vector<3> uv = cross(u, v), vt = cross(v, t), tu = cross(t, u);
-    const Four uu = dot(u, u), vv = dot(v, v), tt = dot(t, t);
-    determinant = dot(uv, t);
-    Vector<3> n;
-    for (std::size_t k = 0; k < 3; ++k) n[k] = (uu * vt[k] + vv * tu[k]) + tt * uv[k];
-    return n;
-}
-ANNULUS_INLINE Four outside(const Vector<3>& normal, Four determinant, const Vector<3>& w) {
-    return dot(w, w) * determinant - dot(w, normal);
+ANNULUS_INLINE Vector<2> difference(const Vector<2>& a, const Vector<2>& b) { return {a.x - b.x, a.y - b.y}; }
+ANNULUS_INLINE Vector<3> difference(const Vector<3>& a, const Vector<3>& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-ANNULUS_INLINE Four two_pairs(const double* a, const double* b) {
+ANNULUS_INLINE Register two_pairs(const double* a, const double* b) {
     Two low, high;
     std::memcpy(&low, a, sizeof low);
     std::memcpy(&high, b, sizeof high);
@@ -78,9 +70,11 @@ ANNULUS_INLINE Four two_pairs(const double* a, const double* b) {
 template <int d>
 ANNULUS_INLINE Vector<d> read(const Coordinates<d>* x, const std::array<Index, 4>& v) {
     const double *a = x[v[0]].data(), *b = x[v[1]].data(), *c = x[v[2]].data(), *e = x[v[3]].data();
-    const Four ac = two_pairs(a, c), be = two_pairs(b, e);
-    Vector<d> p{__builtin_shufflevector(ac, be, 0, 4, 2, 6), __builtin_shufflevector(ac, be, 1, 5, 3, 7)};
-    if constexpr (d == 3) p[2] = Four{a[2], b[2], c[2], e[2]};
+    const Register ac = two_pairs(a, c), be = two_pairs(b, e);
+    Vector<d> p;
+    p.x = {__builtin_shufflevector(ac, be, 0, 4, 2, 6)};
+    p.y = {__builtin_shufflevector(ac, be, 1, 5, 3, 7)};
+    if constexpr (d == 3) p.z = {Register{a[2], b[2], c[2], e[2]}};
     return p;
 }
 
@@ -100,17 +94,17 @@ ANNULUS_INLINE auto are_clear(const Corner_table<d>& t, const Coordinates<d>* x,
     Four own{};  // magnitude
     for (std::size_t k = 0; k < d; ++k) {
         edge[k] = difference(read<d>(x, corner[k + 1]), origin);
-        own = greater(own, magnitude<d>(edge[k]));
+        own = greater(own, magnitude(edge[k]));
     }
-    Four determinant;
-    const Vector<d> normal = sphere(edge, determinant);
+    Sphere_terms<Vector<d>, Four> terms;
+    if constexpr (d == 2) terms = sphere_terms(edge[0], edge[1]);
+    else terms = sphere_terms(edge[0], edge[1], edge[2]);
     Four m = own;
-    Four least = std::numeric_limits<double>::infinity() - Four{};
+    Four least = four(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k <= d; ++k) {
         const Vector<d> w = difference(read<d>(x, beyond[k]), origin);
-        const Four value = outside(normal, determinant, w);
-        least = value < least ? value : least;
-        m = greater(m, magnitude<d>(w));
+        least = lesser(sphere_determinant(terms.normal, terms.determinant, w), least);
+        m = greater(m, magnitude(w));
     }
     constexpr double range = d == 2 ? bounds::filter_range : bounds::filter_range_3;
     constexpr double error = (d == 2 ? bounds::circumcircle_2 : bounds::circumsphere_3) * bounds::u;
@@ -118,8 +112,8 @@ ANNULUS_INLINE auto are_clear(const Corner_table<d>& t, const Coordinates<d>* x,
     const Four m2 = m * m;
     const Four m_power = d == 2 ? m2 * m2 : m2 * m2 * m;
     const Four own_power = d == 2 ? own * own : own * own * own;
-    return (least > error * m_power) & (m <= range) & (determinant > own_error * own_power) & (own <= range) &
-           (own * range >= 1.0);
+    return (least.v > error * m_power.v) & (m.v <= range) & (terms.determinant.v > own_error * own_power.v) &
+           (own.v <= range) & (own.v * range >= 1.0);
 }
 
 template <int d>

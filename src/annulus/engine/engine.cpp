@@ -218,7 +218,7 @@ void Engine<d>::remove(Index i, Move_report& report) {
 
 template <int d>
 Mesh_cells<d> Engine<d>::cells() const {
-    return mesh_.cells(delaunay_positions(), index_bound());
+    return mesh_.cells(delaunay_positions());
 }
 
 template <int d>

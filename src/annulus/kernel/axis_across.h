@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh/walk.h>
+#include <annulus/predicate/sure_orientation.h>
 #include <annulus/space/places.h>
 
 #include <cstddef>

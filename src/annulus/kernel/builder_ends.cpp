@@ -4,7 +4,7 @@
 
 #include <annulus/kernel/axis_across.h>
 #include <annulus/mesh/parallel_runs.h>
-#include <annulus/mesh/walk.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <algorithm>
 #include <atomic>

@@ -79,8 +79,8 @@ class Delaunay_mesh {
     void list_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
     /// The same with the infinite cells, if there are any of dimension d.
     void list_all_cells(std::span<const Coordinates<d>> positions, std::vector<Index>& vertices) const;
-    /// The finite cells and their neighbours; vertices are below `bound`. O(n).
-    [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> positions, std::size_t bound) const;
+    /// The finite cells and their neighbours. O(n).
+    [[nodiscard]] Mesh_cells<d> cells(std::span<const Coordinates<d>> positions) const;
     /// The triangulation of vertices that lie in a hyperplane. O(n log n). Precondition: dimension() < d.
     [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> positions) const {
         return annulus::flat_cells<d>(positions, vertices_.list());

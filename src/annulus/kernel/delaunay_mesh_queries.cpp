@@ -36,11 +36,11 @@ void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>> positions,
 }
 
 template <int d>
-Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>> positions, std::size_t bound) const {
+Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>> positions) const {
     if (dimension_ == d) return mesh_cells(table_);
     std::vector<Index> corners;
     list_cells(positions, corners);
-    return mesh_cells<d>(corners, bound);
+    return without_neighbours<d>(corners);
 }
 
 template <int d>
@@ -64,7 +64,7 @@ Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> positions) co
 #define ANNULUS_INSTANTIATE(d)                                                                                  \
     template void Delaunay_mesh<d>::list_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const;     \
     template void Delaunay_mesh<d>::list_all_cells(std::span<const Coordinates<d>>, std::vector<Index>&) const; \
-    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>, std::size_t) const;         \
+    template Mesh_cells<d> Delaunay_mesh<d>::cells(std::span<const Coordinates<d>>) const;                      \
     template double Delaunay_mesh<d>::star_tolerance(std::span<const Coordinates<d>>, Index) const;             \
     template double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>>, Index) const;                      \
     template Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>>) const;

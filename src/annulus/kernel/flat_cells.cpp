@@ -5,7 +5,7 @@
 #include <annulus/kernel/axis_across.h>
 #include <annulus/kernel/bounding_box.h>
 #include <annulus/kernel/builder.h>
-#include <annulus/mesh/walk.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@ const std::shared_ptr<const Cell_lists<d>>& Kept_lists<d>::listed(Positions x) c
     cells_.reset();
     neighbours_.reset();
     hull_.reset();
-    cells_ = std::make_shared<const Cell_lists<d>>(mesh_.cells(x, x.size()), mesh_.dimension(), x.size());
+    cells_ = std::make_shared<const Cell_lists<d>>(mesh_.cells(x), mesh_.dimension(), x.size());
     kept_ = now;
     return cells_;
 }

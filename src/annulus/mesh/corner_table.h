@@ -291,26 +291,6 @@ void Corner_table<d>::free_cell(Cell_index c) {
     vertex_[corner(c, 0)] = none;
 }
 
-template <int d>
-void Corner_table<d>::flip(Corner_index h) {
-    static_assert(d == 2);
-    const Corner_index t = twin(h);
-    record(cell_of(h));
-    record(cell_of(t));
-    const Index a = vertex(ccw(h));
-    const Index b = vertex(cw(h));
-    const Corner_index h_side = twin(ccw(h));  // across the edge b q
-    const Corner_index t_side = twin(ccw(t));  // across the edge a p
-    // (q, a, b) becomes (q, a, p); (p, b, a) becomes (p, b, q).
-    vertex_[cw(h)] = vertex(t);
-    vertex_[cw(t)] = vertex(h);
-    set_adjacency(h, t_side);
-    set_adjacency(t, h_side);
-    set_adjacency(ccw(h), ccw(t));
-    note_corner(a, ccw(h));
-    note_corner(b, ccw(t));
-    note_corner(vertex(h), h);
-    note_corner(vertex(t), t);
-}
-
 }  // namespace annulus::inline v1
+
+#include <annulus/mesh/corner_table_flip.h>

@@ -2,7 +2,9 @@
 #include <annulus/mesh/cell_lists.h>
 
 #include <annulus/arithmetic/domain.h>
-#include <annulus/mesh/walk.h>
+#include <annulus/mesh/nearest.h>
+#include <annulus/predicate/sure_orientation.h>
+#include <annulus/space/squared_distance.h>
 
 #include <cmath>
 #include <cstdint>
@@ -76,20 +78,12 @@ class List_walk {
     }
 
     [[nodiscard]] Index start(const Coordinates<d>& p) const {
-        double least = HUGE_VAL;
-        Index best = last_ >= 0 ? last_ : 0;
-        const auto look = [&](std::size_t v, Index cell) {
-            double square = 0;
-            for (std::size_t k = 0; k < d; ++k) square += (x_[v][k] - p[k]) * (x_[v][k] - p[k]);
-            if (square < least) {
-                least = square;
-                best = cell;
-            }
-        };
-        look(at(cells_.vertices[at(best)][0]), best);
+        const Index last = last_ >= 0 ? last_ : 0;
+        Nearest<Index> cell(last);
+        cell.offer(last, squared_distance<d>(x_[at(cells_.vertices[at(last)][0])], p));
         for (std::size_t v = 0; v < x_.size(); v += stride_)
-            if (cell_of_[v] >= 0) look(v, cell_of_[v]);
-        return best;
+            if (cell_of_[v] >= 0) cell.offer(cell_of_[v], squared_distance<d>(x_[v], p));
+        return cell.item();
     }
 
     const Mesh_cells<d>& cells_;

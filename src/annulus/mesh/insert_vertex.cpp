@@ -5,9 +5,9 @@
 #include <annulus/mesh/replace_cells.h>
 #include <annulus/mesh/site_hash.h>
 #include <annulus/mesh/small_set.h>
-#include <annulus/mesh/walk.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <array>
 #include <cassert>

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <annulus/internal/index.h>
+#include <annulus/mesh/nearest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,21 +32,17 @@ class Landmarks {
     [[nodiscard]] Index near(std::span<const Coordinates<d>> x, std::size_t bound, const Coordinates<d>& p, Index own,
                              Is_present is_present) {
         if (excess_ > few + 2 * tree_.size()) renew(x, bound, is_present);
-        Index best = none;
-        double least = std::numeric_limits<double>::infinity();
+        Nearest<Index> nearest(none);
         const auto look = [&](Index v) {
             if (v == none || static_cast<std::size_t>(v) >= bound || !is_present(v)) return;
-            const double far = distance(x[static_cast<std::size_t>(v)], p);
-            if (best != none && !(far < least)) return;
-            best = v;
-            least = far;
+            nearest.offer(v, distance(x[static_cast<std::size_t>(v)], p));
         };
         look(own);
         look(last_);
         const auto [first, end] = leaf(p);
         for (std::size_t k = first; k < end; ++k)
-            if (best == none || distance(tree_[k].place, p) < least) look(tree_[k].vertex);
-        return best;
+            if (nearest.takes(distance(tree_[k].place, p))) look(tree_[k].vertex);
+        return nearest.item();
     }
 
     /// A walk that began where near() said took so many steps, and ended at v.
@@ -63,11 +59,10 @@ class Landmarks {
     [[nodiscard]] static Index nearest(std::span<const Coordinates<d>> x,
                                        const std::array<Index, static_cast<std::size_t>(d + 1)>& cell,
                                        const Coordinates<d>& p, Index but) {
-        const auto from = [&](Index v) { return distance(x[static_cast<std::size_t>(v)], p); };
-        Index best = none;
+        Nearest<Index> nearest(none);
         for (const Index v : cell)
-            if (v != infinite && v != but && (best == none || from(v) < from(best))) best = v;
-        return best;
+            if (v != infinite && v != but) nearest.offer(v, distance(x[static_cast<std::size_t>(v)], p));
+        return nearest.item();
     }
     /// The sum of the differences, since squares would overflow and underflow.
     [[nodiscard]] static double distance(const Coordinates<d>& a, const Coordinates<d>& b) {

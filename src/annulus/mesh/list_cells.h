@@ -14,14 +14,13 @@ class Corner_table;
 template <int d>
 [[nodiscard]] Mesh_cells<d> mesh_cells(const Corner_table<d>& t);
 
-/// The cells of a list of d + 1 vertices each, which are below `bound`, or padded with `none`. Neighbours are found by
-/// the facets. O(n).
+/// The simplices of points in a plane or on a line, as a list of d + 1 vertices each, padded with `none`. O(n).
 template <int d>
-[[nodiscard]] Mesh_cells<d> mesh_cells(std::span<const Index> corners, std::size_t bound);
+[[nodiscard]] Mesh_cells<d> without_neighbours(std::span<const Index> corners);
 
 extern template Mesh_cells<2> mesh_cells<2>(const Corner_table<2>&);
 extern template Mesh_cells<3> mesh_cells<3>(const Corner_table<3>&);
-extern template Mesh_cells<2> mesh_cells<2>(std::span<const Index>, std::size_t);
-extern template Mesh_cells<3> mesh_cells<3>(std::span<const Index>, std::size_t);
+extern template Mesh_cells<2> without_neighbours<2>(std::span<const Index>);
+extern template Mesh_cells<3> without_neighbours<3>(std::span<const Index>);
 
 }  // namespace annulus::inline v1

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/replace_cells.h>
 
+#include <annulus/mesh/facet_side.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -14,15 +16,6 @@ struct Side {
     std::array<Site<d>, static_cast<std::size_t>(d)> sites;  // sorted
     Corner_index half;                                       // outside the cavity, or in a fresh cell
 };
-
-template <int d>
-Side<d> side(const Cell_sites<d>& x, std::size_t slot, Corner_index half) {
-    Side<d> s{{}, half};
-    for (std::size_t k = 0, n = 0; k < x.size(); ++k)
-        if (k != slot) s.sites[n++] = x[k];
-    std::sort(s.sites.begin(), s.sites.end());
-    return s;
-}
 
 }  // namespace
 
@@ -38,7 +31,7 @@ void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::spa
             const Corner_index h = t.corner(c, i);
             const Corner_index twin = t.twin(h);
             if (!std::binary_search(gone.begin(), gone.end(), t.cell_of(twin)))
-                sides.push_back(side<d>(cell_sites(t, c), static_cast<std::size_t>(i), twin));
+                sides.push_back({Facet_side<d>(cell_sites(t, c), i).sites, twin});
         }
     for (const Cell_index c : gone) t.free_cell(c);
     for (const Cell_sites<d>& x : fresh) {
@@ -47,7 +40,7 @@ void replace_cells(Corner_table<d>& t, std::span<const Cell_index> old, std::spa
         for (std::size_t i = 0; i < x.size(); ++i) {
             const Corner_index h = t.corner(c, static_cast<int>(i));
             t.set_site(h, x[i]);
-            sides.push_back(side<d>(x, i, h));
+            sides.push_back({Facet_side<d>(x, static_cast<int>(i)).sites, h});
         }
     }
     // Each facet occurs twice.

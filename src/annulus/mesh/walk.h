@@ -2,21 +2,13 @@
 #pragma once
 
 #include <annulus/mesh/certificates.h>
-#include <annulus/predicate/exact_sign.h>
-#include <annulus/predicate/orientation_sign.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <cstdint>
 #include <span>
 #include <utility>
 
 namespace annulus::inline v1 {
-
-/// The exact orientation of d + 1 points: by the filter, and by the exact stage where the filter cannot decide.
-template <int d>
-[[nodiscard]] int sure_orientation(const Tuple<d, d + 1>& x) {
-    const int sign = orientation_sign(x);
-    return sign != 0 ? sign : exact_orientation_sign(x).sign;
-}
 
 /// A cell that holds p in its interior or on its border; an infinite cell when p is outside the hull. The walk goes
 /// from `start` across facets that p is beyond, never back across the last one. The facet that is tested first is

@@ -3,7 +3,7 @@
 
 #include <annulus/predicate/bounds.h>
 #include <annulus/predicate/decide.h>
-#include <annulus/predicate/width_terms.h>
+#include <annulus/predicate/sphere_terms.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,17 +17,16 @@ namespace annulus::inline v1 {
 /// With u, v, w the second corner, the third and the point relative to the first, the certificate's determinant is
 ///   | u |u|^2 |   = w . n + |w|^2 (u x v),   n = (u.y |v|^2 - v.y |u|^2, v.x |u|^2 - u.x |v|^2),
 ///   | v |v|^2 |
-///   | w |w|^2 |   positive when the point is outside and the triangle positive.
+///   | w |w|^2 |   positive when the point is outside and the triangle positive (sphere_terms.h).
 /// Errors: bounds.h, proofs/gappa/circumcircle_2.g. The rounding mode must be to nearest.
 class Circumcircle_2 {
   public:
     Circumcircle_2(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) : origin_(a) {
         const Vector_2<double> u = detail::difference(b, a);
         const Vector_2<double> v = detail::difference(c, a);
-        const double uu = u.x * u.x + u.y * u.y;
-        const double vv = v.x * v.x + v.y * v.y;
-        twice_area_ = u.x * v.y - u.y * v.x;
-        normal_ = {u.y * vv - v.y * uu, v.x * uu - u.x * vv};
+        const auto terms = sphere_terms(u, v);
+        twice_area_ = terms.determinant;
+        normal_ = terms.normal;
         magnitude_ = std::max(detail::magnitude(u), detail::magnitude(v));
     }
 
@@ -56,9 +55,8 @@ class Circumcircle_2 {
     /// The determinant; m is raised to the largest coordinate.
     [[nodiscard]] double outside_of(const Coordinates<2>& p, double& m) const {
         const Vector_2<double> w = detail::difference(p, origin_);
-        const double ww = w.x * w.x + w.y * w.y;
         m = std::max(m, detail::magnitude(w));
-        return (w.x * normal_.x + w.y * normal_.y) + ww * twice_area_;
+        return sphere_determinant(normal_, twice_area_, w);
     }
     /// Whether a determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
@@ -69,8 +67,8 @@ class Circumcircle_2 {
     template <int side>
     [[nodiscard]] bool beside(const Coordinates<2>& p) const {
         double m = magnitude_;
-        const double outside = outside_of(p, m);
-        return clear(side * outside, m);
+        const double determinant = outside_of(p, m);
+        return clear(side * determinant, m);
     }
 
     Coordinates<2> origin_;

@@ -4,7 +4,7 @@
 #include <annulus/predicate/bounds.h>
 #include <annulus/predicate/decide.h>
 #include <annulus/predicate/filtered_3.h>
-#include <annulus/predicate/width_terms_3.h>
+#include <annulus/predicate/sphere_terms.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,7 @@ namespace annulus::inline v1 {
 ///
 /// With u, v, t and w the other corners and the point relative to the first corner, the certificate's determinant is
 ///   |w|^2 det(u, v, t) - w . n,   n = |u|^2 v x t + |v|^2 t x u + |t|^2 u x v,
-/// positive when the point is outside and the cell positive; n / (2 det) is where the centre is.
+/// positive when the point is outside and the cell positive (sphere_terms.h).
 /// Errors: bounds.h, proofs/gappa/circumsphere_3.g. The rounding mode must be to nearest.
 class Circumsphere_3 {
   public:
@@ -24,15 +24,9 @@ class Circumsphere_3 {
         const Vector_3<double> u = detail::difference(b, a);
         const Vector_3<double> v = detail::difference(c, a);
         const Vector_3<double> t = detail::difference(d, a);
-        const Vector_3<double> uv = cross(u, v);
-        const Vector_3<double> vt = cross(v, t);
-        const Vector_3<double> tu = cross(t, u);
-        const double uu = square(u);
-        const double vv = square(v);
-        const double tt = square(t);
-        determinant_ = dot(uv, t);
-        normal_ = {(uu * vt.x + vv * tu.x) + tt * uv.x, (uu * vt.y + vv * tu.y) + tt * uv.y,
-                   (uu * vt.z + vv * tu.z) + tt * uv.z};
+        const auto terms = sphere_terms(u, v, t);
+        determinant_ = terms.determinant;
+        normal_ = terms.normal;
         magnitude_ = std::max(detail::magnitude(u), std::max(detail::magnitude(v), detail::magnitude(t)));
     }
 
@@ -60,7 +54,7 @@ class Circumsphere_3 {
     [[nodiscard]] double outside_of(const Coordinates<3>& p, double& m) const {
         const Vector_3<double> w = detail::difference(p, origin_);
         m = std::max(m, detail::magnitude(w));
-        return square(w) * determinant_ - dot(w, normal_);
+        return sphere_determinant(normal_, determinant_, w);
     }
     /// Whether a determinant of coordinates up to m is above its error.
     [[nodiscard]] static bool clear(double determinant, double m) {
@@ -71,8 +65,8 @@ class Circumsphere_3 {
     template <int side>
     [[nodiscard]] bool beside(const Coordinates<3>& p) const {
         double m = magnitude_;
-        const double outside = outside_of(p, m);
-        return clear(side * outside, m);
+        const double determinant = outside_of(p, m);
+        return clear(side * determinant, m);
     }
 
     Coordinates<3> origin_;

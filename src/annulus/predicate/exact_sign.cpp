@@ -4,7 +4,7 @@
 #include <annulus/arithmetic/exact.h>
 #include <annulus/predicate/interval_stage.h>
 #include <annulus/predicate/later_stages.h>
-#include <annulus/predicate/width_terms_3.h>
+#include <annulus/predicate/sphere_terms.h>
 
 #include <utility>
 
@@ -20,26 +20,17 @@ template <class T>
 T orientation(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w) {
     return dot(cross(u, v), w);
 }
-/// The determinant of Circumcircle_2: of the triangle 0, u, v and the point w.
+/// Of the triangle 0, u, v and the point w.
 template <class T>
 T empty_sphere(const Vector_2<T>& u, const Vector_2<T>& w, const Vector_2<T>& v) {
-    const T uu = squared(u.x) + squared(u.y);
-    const T vv = squared(v.x) + squared(v.y);
-    const T ww = squared(w.x) + squared(w.y);
-    return T(w.x * (u.y * vv - v.y * uu) + w.y * (v.x * uu - u.x * vv) + ww * orientation(u, v));
+    const auto triangle = sphere_terms(u, v);
+    return sphere_determinant(triangle.normal, triangle.determinant, w);
 }
-/// The determinant of Circumsphere_3: of the cell 0, u, v, t and the point w.
+/// Of the cell 0, u, v, t and the point w.
 template <class T>
 T empty_sphere(const Vector_3<T>& u, const Vector_3<T>& v, const Vector_3<T>& w, const Vector_3<T>& t) {
-    const Vector_3<T> vt = cross(v, t);
-    const T uu = square(u);
-    const T vv = square(v);
-    const T tt = square(t);
-    const Vector_3<T> tu = cross(t, u);
-    const Vector_3<T> uv = cross(u, v);
-    const Vector_3<T> n{T(uu * vt.x + vv * tu.x + tt * uv.x), T(uu * vt.y + vv * tu.y + tt * uv.y),
-                        T(uu * vt.z + vv * tu.z + tt * uv.z)};
-    return T(square(w) * dot(uv, t) - dot(w, n));
+    const auto cell = sphere_terms(u, v, t);
+    return sphere_determinant(cell.normal, cell.determinant, w);
 }
 
 /// Calls determinant(v_1, .., v_(k-1)) with vectors to the first point.

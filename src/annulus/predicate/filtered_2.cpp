@@ -22,8 +22,8 @@ bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Certificate_
     if (!detail::interval_sign(t.determinant, out)) return false;
     if (out.sign < 0) return true;
     double lower = 0.0;
-    if (!detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
-                                      detail::roots_about(t.inner, t.outer), lower))
+    if (!detail::quotient_lower_in_slack(t.determinant, detail::roots_upper(t.inner, t.outer),
+                                         detail::roots_about(t.inner, t.outer), lower))
         return false;
     out.tolerance = detail::unscaled_lower(lower, s);
     return true;

@@ -23,8 +23,8 @@ auto bicell_terms(const Vectors& vector) {
 /// Half the width of a tetrahedron, scaled. Returns false where it is not certainly positive or not tight.
 bool width_lower(const Width_terms<Interval>& t, double& lower) {
     if (!(t.determinant.lower() > 0.0)) return false;
-    return detail::quotient_lower_tight(t.determinant, detail::roots_upper(t.inner, t.outer),
-                                        detail::roots_about(t.inner, t.outer), lower);
+    return detail::quotient_lower_in_slack(t.determinant, detail::roots_upper(t.inner, t.outer),
+                                           detail::roots_about(t.inner, t.outer), lower);
 }
 
 // ---- Exact stage ------------------------------------------------------------------------------------------------
@@ -80,7 +80,7 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out, Cell_wi
             least = std::max(least, detail::roots_about(t.inner[k], t.outer[k]));
         }
         double lower = 0.0;
-        if (!detail::quotient_lower_tight(t.determinant, most, least, lower)) return false;
+        if (!detail::quotient_lower_in_slack(t.determinant, most, least, lower)) return false;
         if (cells == Cell_widths::always || (cells == Cell_widths::where_needed && out.wrong_side != 0)) {
             double p = 0.0;
             double q = 0.0;

@@ -67,8 +67,8 @@ template <std::size_t d, std::size_t k, class Evaluate>
 
 /// The tolerance determinant / roots, still scaled. Returns false when it is not within the stated slack.
 /// Precondition: determinant > 0.
-[[nodiscard]] inline bool quotient_lower_tight(const Interval& determinant, double roots_most, double roots_least,
-                                               double& lower) {
+[[nodiscard]] inline bool quotient_lower_in_slack(const Interval& determinant, double roots_most, double roots_least,
+                                                  double& lower) {
     lower = quotient_lower(determinant.lower(), roots_most);
     return within_slack(lower, determinant.upper() / roots_least);
 }

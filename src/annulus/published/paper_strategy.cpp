@@ -70,6 +70,8 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
     if (stays) return;
     if (rebuilt) return recompute_tolerances(this->position_, report);
     set_unlimited(h);
+    const Corner_table<d>& table = this->mesh().table();
+    table.for_each_corner(h, [&](Corner_index c) { changed.push_back(table.cell_of(c)); });
     tolerances_.note(changed, state_.fixed, least_, report);
     lower_points();
 }

@@ -46,12 +46,13 @@ void Paper_tolerances<d>::add_facet(Corner_index f, std::span<const Coordinates<
 }
 
 /// The paper's tolerance instead of that of the filtered predicate, if plain double decides that the certificate
-/// holds.
+/// holds. That of an empty circle is what the filter has computed.
 template <int d>
 double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                       std::span<const Coordinates<d>> x) const {
     const bool holds = v.stage == Stage::filter && v.sign > 0;
-    return kind_ == Tolerance_kind::paper && holds ? paper_half_width(f, x) : v.tolerance;
+    const bool same = d == 2 && f.kind == Facet_kind::empty_sphere;
+    return kind_ == Tolerance_kind::paper && holds && !same ? paper_half_width(f, x) : v.tolerance;
 }
 
 template <int d>

@@ -33,7 +33,6 @@ auto Relocation<d>::move(std::span<Coordinates<d>> x, Index v, const Coordinates
         if (!mesh_.reinsert(x, v, p, changed)) return &Move_counts::rebuilt;
         outcome = &Move_counts::reinserted;
     }
-    table.for_each_corner(v, [&](Corner_index h) { changed.push_back(table.cell_of(h)); });
     return outcome;
 }
 

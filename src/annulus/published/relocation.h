@@ -22,7 +22,7 @@ class Relocation {
     using Outcome = std::uint64_t Move_counts::*;
 
     /// Sets x[v] = p and makes the mesh, which is Delaunay at x before, Delaunay there; `changed` receives the cells
-    /// around v and the new cells. If the other vertices lie in a hyperplane, the outcome is `rebuilt`: nothing has
+    /// that were flipped or are new. If the other vertices lie in a hyperplane, the outcome is `rebuilt`: nothing has
     /// changed, and the caller must rebuild. Throws Error(duplicate_point), with nothing changed; after other
     /// exceptions x[v] may be p, unless another vertex is there. Expected O(degree of v) after locating p.
     [[nodiscard]] Outcome move(std::span<Coordinates<d>> x, Index v, const Coordinates<d>& p,

@@ -7,10 +7,10 @@ template <int d>
 void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
     const Coordinates<d> source = this->position_[this->at(v)];
     if (source == p) return Rebuild_strategy<d>::move(v, p, report);
-    std::vector<Cell_index> changed;
+    std::vector<Cell_index> discarded;
     auto outcome = &Move_counts::rebuilt;
     try {
-        outcome = relocation_.move(this->position_, v, p, changed);
+        outcome = relocation_.move(this->position_, v, p, discarded);
     } catch (...) {
         this->position_[this->at(v)] = source;
         throw;

@@ -19,7 +19,7 @@ class Mesh_3 {
     [[nodiscard]] const std::vector<Coordinates<3>>& points() const {
         return points_;
     }  ///< by vertex index; precondition: no vertex was removed
-    [[nodiscard]] const Cells_3& cells() const { return kept_.cells(); }
+    [[nodiscard]] const Mesh_cells<3>& cells() const { return kept_.cells(); }
     [[nodiscard]] std::span<const char> inside() const { return domain_ ? kept_.inside() : all_; }
     /// The cells in the form that a motion takes. Precondition: read with a domain.
     [[nodiscard]] const Kept_cells_3& kept() const { return kept_; }

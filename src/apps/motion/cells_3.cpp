@@ -13,6 +13,8 @@ namespace annulus::inline v1 {
 
 namespace {
 
+constexpr Index outside = Mesh_cells<3>::outside;
+
 struct Facet {
     Index middle, last;  // its vertices but the least, in order
     Index cell;
@@ -21,7 +23,7 @@ struct Facet {
 
 /// Links the cells across facets that have the same least vertex. `table` is work space: a hash table of the facets
 /// seen.
-void join(std::span<const Facet> facets, std::vector<Index>& table, Cells_3& out) {
+void join(std::span<const Facet> facets, std::vector<Index>& table, Mesh_cells<3>& out) {
     std::size_t size = 16;
     while (size < 2 * facets.size()) size *= 2;
     table.assign(size, none);
@@ -40,36 +42,36 @@ void join(std::span<const Facet> facets, std::vector<Index>& table, Cells_3& out
             continue;
         }
         const Facet g = other();
-        Index& beyond = out.adjacent[static_cast<std::size_t>(g.cell)][static_cast<std::size_t>(g.corner)];
-        if (beyond != none) throw Error(Error_code::bad_input, "linked: three cells share a facet");
+        Index& beyond = out.neighbours[static_cast<std::size_t>(g.cell)][static_cast<std::size_t>(g.corner)];
+        if (beyond != outside) throw Error(Error_code::bad_input, "linked: three cells share a facet");
         beyond = f.cell;
-        out.adjacent[static_cast<std::size_t>(f.cell)][static_cast<std::size_t>(f.corner)] = g.cell;
+        out.neighbours[static_cast<std::size_t>(f.cell)][static_cast<std::size_t>(f.corner)] = g.cell;
     }
 }
 
 }  // namespace
 
-Cells_3 linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads) {
-    Cells_3 out;
-    out.vertex = std::move(cells);
-    out.adjacent.assign(out.size(), {none, none, none, none});
+Mesh_cells<3> linked(std::vector<std::array<Index, 4>> cells, std::size_t n, int threads) {
+    Mesh_cells<3> out;
+    out.vertices = std::move(cells);
+    out.neighbours.assign(out.vertices.size(), {outside, outside, outside, outside});
     // Sorts facets by their least vertex (counting sort), then searches among the few that share it.
     std::vector<std::size_t> begin(n + 2, 0);
     const auto ends = [&](std::size_t c, std::size_t i) {
         const auto& f = facet_corners[i];
-        const Index p = out.vertex[c][f[0]], q = out.vertex[c][f[1]], r = out.vertex[c][f[2]];
+        const Index p = out.vertices[c][f[0]], q = out.vertices[c][f[1]], r = out.vertices[c][f[2]];
         const Index low = std::min({p, q, r}), high = std::max({p, q, r});
         return std::array<Index, 3>{low, p ^ q ^ r ^ low ^ high, high};
     };
-    for (std::size_t c = 0; c < out.size(); ++c) {
-        for (const Index v : out.vertex[c])
+    for (std::size_t c = 0; c < out.vertices.size(); ++c) {
+        for (const Index v : out.vertices[c])
             if (v < 0 || static_cast<std::size_t>(v) >= n)
                 throw Error(Error_code::unknown_vertex, "linked: a cell names no vertex");
         for (std::size_t i = 0; i < 4; ++i) ++begin[static_cast<std::size_t>(ends(c, i)[0]) + 2];
     }
     for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    std::vector<Facet> facets(4 * out.size());
-    for (std::size_t c = 0; c < out.size(); ++c)
+    std::vector<Facet> facets(4 * out.vertices.size());
+    for (std::size_t c = 0; c < out.vertices.size(); ++c)
         for (std::size_t i = 0; i < 4; ++i) {
             const auto v = ends(c, i);
             facets[begin[static_cast<std::size_t>(v[0]) + 1]++] = {v[1], v[2], static_cast<Index>(c),
@@ -112,13 +114,13 @@ bool is_inside(const Domain_3& domain, const Coordinates<3>& a, const Cell_momen
     return std::isfinite(centre[0]) && std::isfinite(centre[1]) && std::isfinite(centre[2]) && domain.contains(centre);
 }
 
-std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells, std::span<const Coordinates<3>> position,
-                               int threads) {
-    std::vector<char> inside(cells.size(), 0);
-    for_each_run(cells.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
+std::vector<char> cells_inside(const Domain_3& domain, const Mesh_cells<3>& cells,
+                               std::span<const Coordinates<3>> position, int threads) {
+    std::vector<char> inside(cells.vertices.size(), 0);
+    for_each_run(cells.vertices.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
             const auto x = [&](std::size_t i) -> const Coordinates<3>& {
-                return position[static_cast<std::size_t>(cells.vertex[c][i])];
+                return position[static_cast<std::size_t>(cells.vertices[c][i])];
             };
             inside[c] = is_inside(domain, x(0), cell_moment(x(0), x(1), x(2), x(3))) ? 1 : 0;
         }
@@ -126,17 +128,18 @@ std::vector<char> cells_inside(const Domain_3& domain, const Cells_3& cells, std
     return inside;
 }
 
-std::vector<std::array<Index, 3>> surface_facets(const Cells_3& cells, std::span<const char> inside, int threads) {
+std::vector<std::array<Index, 3>> surface_facets(const Mesh_cells<3>& cells, std::span<const char> inside,
+                                                 int threads) {
     constexpr std::size_t length = 4096;
-    std::vector<std::vector<std::array<Index, 3>>> of_run((cells.size() + length - 1) / length);
-    for_each_run(cells.size(), length, threads, [&](std::size_t first, std::size_t last) {
+    std::vector<std::vector<std::array<Index, 3>>> of_run((cells.vertices.size() + length - 1) / length);
+    for_each_run(cells.vertices.size(), length, threads, [&](std::size_t first, std::size_t last) {
         auto& facets = of_run[first / length];
         for (std::size_t c = first; c < last; ++c)
             for (std::size_t i = 0; inside[c] != 0 && i < 4; ++i) {
-                const Index beyond = cells.adjacent[c][i];
-                if (beyond != none && inside[static_cast<std::size_t>(beyond)] != 0) continue;
+                const Index beyond = cells.neighbours[c][i];
+                if (beyond != outside && inside[static_cast<std::size_t>(beyond)] != 0) continue;
                 const auto& f = facet_corners[i];
-                facets.push_back({cells.vertex[c][f[0]], cells.vertex[c][f[1]], cells.vertex[c][f[2]]});
+                facets.push_back({cells.vertices[c][f[0]], cells.vertices[c][f[1]], cells.vertices[c][f[2]]});
             }
     });
     std::vector<std::array<Index, 3>> all;

@@ -14,6 +14,7 @@ namespace {
 
 /// The vertices stored for a number of the table that is not a cell.
 constexpr Index absent = none;
+constexpr Index outside = Mesh_cells<3>::outside;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 std::ptrdiff_t offset(std::size_t i) { return static_cast<std::ptrdiff_t>(i); }
@@ -56,11 +57,11 @@ void Kept_cells_3::read(std::vector<std::array<Index, 4>> cells, std::size_t n, 
     sort_cells(cells, n);
     seen_.clear();
     // Nothing has changed where only infinite cells or cell numbers have.
-    if (cells == cells_.vertex) return;
+    if (cells == cells_.vertices) return;
     cells_ = linked(std::move(cells), n, threads);
-    known_.assign(cells_.size(), 0);
-    inside_.assign(cells_.size(), 0);
-    moment_.resize(cells_.size());
+    known_.assign(cells_.vertices.size(), 0);
+    inside_.assign(cells_.vertices.size(), 0);
+    moment_.resize(cells_.vertices.size());
 }
 
 /// A new cell differs from the cell that had its number before. One that has only changed its number is both gone and
@@ -85,14 +86,14 @@ void Kept_cells_3::find_changes(const Corner_table<3>& table) {
 }
 
 Index Kept_cells_3::find(const Cell& cell) const {
-    const auto place = std::lower_bound(cells_.vertex.begin(), cells_.vertex.end(), cell);
-    return static_cast<Index>(place - cells_.vertex.begin());
+    const auto place = std::lower_bound(cells_.vertices.begin(), cells_.vertices.end(), cell);
+    return static_cast<Index>(place - cells_.vertices.begin());
 }
 
 void Kept_cells_3::read(const Corner_table<3>& table, int threads) {
     const bool known = !seen_.empty();
     find_changes(table);
-    if (known && 16 * (gone_.size() + fresh_number_.size()) < cells_.size()) return merge(table);
+    if (known && 16 * (gone_.size() + fresh_number_.size()) < cells_.vertices.size()) return merge(table);
     std::vector<Cell> all;
     all.reserve(seen_.size());
     std::copy_if(seen_.begin(), seen_.end(), std::back_inserter(all), is_finite_cell);
@@ -113,14 +114,14 @@ void Kept_cells_3::merge(const Corner_table<3>& table) {
     std::set_difference(made.begin(), made.end(), gone_.begin(), gone_.end(), std::back_inserter(fresh_));
     std::set_difference(gone_.begin(), gone_.end(), made.begin(), made.end(), std::back_inserter(lost));
     if (fresh_.empty() && lost.empty()) return;
-    cells_.vertex.swap(before_.vertex);
-    cells_.adjacent.swap(before_.adjacent);
+    cells_.vertices.swap(before_.vertices);
+    cells_.neighbours.swap(before_.neighbours);
     moment_.swap(moment_before_);
     inside_.swap(inside_before_);
     known_.swap(known_before_);
-    const std::size_t old = before_.size(), size = old + fresh_.size() - lost.size();
-    cells_.vertex.resize(size);
-    cells_.adjacent.resize(size);
+    const std::size_t old = before_.vertices.size(), size = old + fresh_.size() - lost.size();
+    cells_.vertices.resize(size);
+    cells_.neighbours.resize(size);
     moment_.resize(size);
     inside_.resize(size);
     known_.resize(size);
@@ -128,32 +129,33 @@ void Kept_cells_3::merge(const Corner_table<3>& table) {
     std::size_t from = 0, to = 0;
     const auto keep_until = [&](std::size_t end) {
         const auto first = offset(from), last = offset(end), there = offset(to);
-        std::copy(before_.vertex.begin() + first, before_.vertex.begin() + last, cells_.vertex.begin() + there);
-        std::copy(before_.adjacent.begin() + first, before_.adjacent.begin() + last, cells_.adjacent.begin() + there);
+        std::copy(before_.vertices.begin() + first, before_.vertices.begin() + last, cells_.vertices.begin() + there);
+        std::copy(before_.neighbours.begin() + first, before_.neighbours.begin() + last,
+                  cells_.neighbours.begin() + there);
         std::copy(moment_before_.begin() + first, moment_before_.begin() + last, moment_.begin() + there);
         std::copy(inside_before_.begin() + first, inside_before_.begin() + last, inside_.begin() + there);
         std::copy(known_before_.begin() + first, known_before_.begin() + last, known_.begin() + there);
         for (; from < end; ++from) new_place_[from] = static_cast<Index>(to++);
     };
     const auto place_of = [&](const Cell& c) {
-        const auto begin = before_.vertex.begin() + offset(from);
-        return static_cast<std::size_t>(std::lower_bound(begin, before_.vertex.end(), c) - before_.vertex.begin());
+        const auto begin = before_.vertices.begin() + offset(from);
+        return static_cast<std::size_t>(std::lower_bound(begin, before_.vertices.end(), c) - before_.vertices.begin());
     };
     for (std::size_t g = 0, f = 0; g < lost.size() || f < fresh_.size();) {
         if (f == fresh_.size() || (g < lost.size() && lost[g] < fresh_[f])) {
             keep_until(place_of(lost[g++]));
-            new_place_[from++] = none;
+            new_place_[from++] = outside;
         } else {
             keep_until(place_of(fresh_[f]));
-            cells_.vertex[to] = fresh_[f++];
-            cells_.adjacent[to] = {none, none, none, none};
+            cells_.vertices[to] = fresh_[f++];
+            cells_.neighbours[to] = {outside, outside, outside, outside};
             known_[to++] = 0;
         }
     }
     keep_until(old);
-    for (auto& four : cells_.adjacent)
+    for (auto& four : cells_.neighbours)
         for (Index& c : four)
-            if (c != none) c = new_place_[at(c)];
+            if (c != outside) c = new_place_[at(c)];
     // A second pass for fresh cells, which had no old place to be mapped.
     for (const Cell_index k : fresh_number_) link(table, k);
 }
@@ -168,12 +170,12 @@ void Kept_cells_3::link(const Corner_table<3>& table, Cell_index number) {
             return static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin());
         };
         const Cell& beyond = seen_[table.cell_of(t)];
-        Index& mine = cells_.adjacent[at(here)][slot(cell, table.vertex(h))];
-        mine = none;
+        Index& mine = cells_.neighbours[at(here)][slot(cell, table.vertex(h))];
+        mine = outside;
         if (!is_finite_cell(beyond)) continue;
         const Cell other = in_order(beyond);
         mine = find(other);
-        cells_.adjacent[at(mine)][slot(other, table.vertex(t))] = here;
+        cells_.neighbours[at(mine)][slot(other, table.vertex(t))] = here;
     }
 }
 
@@ -187,9 +189,9 @@ void Kept_cells_3::measure(const Domain_3& domain, std::span<const Coordinates<3
             for (std::size_t v = first; v < last; ++v) moved_[v] = position_[v] != position[v];
         });
     domain_ = &domain;
-    for_each_run(cells_.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
+    for_each_run(cells_.vertices.size(), 1024, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
-            const Cell& v = cells_.vertex[c];
+            const Cell& v = cells_.vertices[c];
             if (known_[c] != 0 && (moved_[at(v[0])] | moved_[at(v[1])] | moved_[at(v[2])] | moved_[at(v[3])]) == 0)
                 continue;
             const Coordinates<3>& a = position[at(v[0])];

@@ -35,7 +35,7 @@ class Kept_cells_3 {
     /// of whose vertices have moved since the last measurement. O(cells).
     void measure(const Domain_3& domain, std::span<const Coordinates<3>> position, int threads = 1);
 
-    [[nodiscard]] const Cells_3& cells() const { return cells_; }
+    [[nodiscard]] const Mesh_cells<3>& cells() const { return cells_; }
     /// After `measure`, for each cell.
     [[nodiscard]] const std::vector<char>& inside() const { return inside_; }
     [[nodiscard]] std::span<const Cell_moment> moments() const { return moment_; }
@@ -48,7 +48,7 @@ class Kept_cells_3 {
     void link(const Corner_table<3>& table, Cell_index number);
     [[nodiscard]] Index find(const Cell& cell) const;
 
-    Cells_3 cells_, before_;                // before_: room for the next ones
+    Mesh_cells<3> cells_, before_;          // before_: room for the next ones
     By_cell<Cell> seen_;                    // by number in the table, at the last reading; corners as they stood there
     std::vector<Cell> gone_, fresh_;        // cells that differ, sorted
     std::vector<Cell_index> fresh_number_;  // in the table

@@ -11,13 +11,14 @@
 
 namespace annulus::inline v1 {
 
-Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
+Mesh_quality mesh_quality(const Mesh_cells<3>& cells, std::span<const char> inside,
                           std::span<const Coordinates<3>> position) {
-    if (inside.size() != cells.size()) throw Error(Error_code::wrong_size, "mesh_quality needs a flag for every cell");
+    if (inside.size() != cells.vertices.size())
+        throw Error(Error_code::wrong_size, "mesh_quality needs a flag for every cell");
     Mesh_quality q;
     std::vector<char> kind(position.size(), 0);
-    for (std::size_t c = 0; c < cells.size(); ++c)
-        for (const Index v : cells.vertex[c])
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c)
+        for (const Index v : cells.vertices[c])
             if (inside[c] != 0) kind[static_cast<std::size_t>(v)] = 1;
     for (const auto& facet : surface_facets(cells, inside))
         for (const Index v : facet) kind[static_cast<std::size_t>(v)] = 2;
@@ -25,9 +26,9 @@ Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
         q.vertices += k > 0;
         q.boundary += k > 1;
     }
-    for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
         if (inside[c] == 0) continue;
-        const auto x = [&](std::size_t i) { return position[static_cast<std::size_t>(cells.vertex[c][i])]; };
+        const auto x = [&](std::size_t i) { return position[static_cast<std::size_t>(cells.vertices[c][i])]; };
         ++q.cells;
         bool good = true;
         for (const double cosine : dihedral_cosines(x(0), x(1), x(2), x(3))) {

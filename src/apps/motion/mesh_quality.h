@@ -22,7 +22,7 @@ struct Mesh_quality {
 };
 
 /// The dihedral angles of the cells with a flag; flat cells without angles count as slivers. Linear.
-[[nodiscard]] Mesh_quality mesh_quality(const Cells_3& cells, std::span<const char> inside,
+[[nodiscard]] Mesh_quality mesh_quality(const Mesh_cells<3>& cells, std::span<const char> inside,
                                         std::span<const Coordinates<3>> position);
 
 }  // namespace annulus::inline v1

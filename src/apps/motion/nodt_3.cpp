@@ -117,7 +117,7 @@ Nodt_3::Nodt_3(const Domain_3& domain, Sizing_3 sizing, std::vector<char> on_sur
 
 /// Cells with their data.
 struct Nodt_3::Mesh {
-    const Cells_3& cells;
+    const Mesh_cells<3>& cells;
     std::span<const char> inside;
     std::span<const Cell_moment> moments;
 };
@@ -128,13 +128,14 @@ struct Nodt_3::Sums {
     std::vector<char> bad;
 };
 
-Nodt_step Nodt_3::step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
-                       std::span<Coordinates<3>> target) const {
-    if (inside.size() != cells.size()) throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
-    std::vector<Cell_moment> moments(cells.size());
-    for_each_run(cells.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
+Nodt_step Nodt_3::step(const Mesh_cells<3>& cells, std::span<const char> inside,
+                       std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target) const {
+    if (inside.size() != cells.vertices.size())
+        throw Error(Error_code::wrong_size, "natural ODT needs a flag for every cell");
+    std::vector<Cell_moment> moments(cells.vertices.size());
+    for_each_run(cells.vertices.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c) {
-            const auto& v = cells.vertex[c];
+            const auto& v = cells.vertices[c];
             if (inside[c] != 0)
                 moments[c] =
                     cell_moment(position[at(v[0])], position[at(v[1])], position[at(v[2])], position[at(v[3])]);
@@ -175,18 +176,18 @@ bool Nodt_3::is_good(const std::array<Index, 4>& v, std::span<const Coordinates<
 /// threads.
 void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<const double> mu,
                        Sums& sums) const {
-    const std::size_t n = position.size(), cells = mesh.cells.size();
+    const std::size_t n = position.size(), cells = mesh.cells.vertices.size();
     std::vector<char> good(lock_cosine_ ? cells : 0, 1);
     for_each_run(good.size(), run_length, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = first; c < last; ++c)
-            if (mesh.inside[c] != 0) good[c] = is_good(mesh.cells.vertex[c], position) ? 1 : 0;
+            if (mesh.inside[c] != 0) good[c] = is_good(mesh.cells.vertices[c], position) ? 1 : 0;
     });
     const std::size_t range =
         std::max<std::size_t>(1, (n + static_cast<std::size_t>(threads_) - 1) / static_cast<std::size_t>(threads_));
     for_each_run(n, range, threads_, [&](std::size_t first, std::size_t last) {
         for (std::size_t c = 0; c < cells; ++c) {
             if (mesh.inside[c] == 0) continue;
-            const auto& v = mesh.cells.vertex[c];
+            const auto& v = mesh.cells.vertices[c];
             const auto mine = [&](Index i) { return at(i) - first < last - first; };
             if (!(mine(v[0]) || mine(v[1]) || mine(v[2]) || mine(v[3]))) continue;
             const Coordinates<3>& a = position[at(v[0])];
@@ -206,8 +207,8 @@ void Nodt_3::sum_cells(const Mesh& mesh, std::span<const Coordinates<3>> positio
 Nodt_step Nodt_3::step_of(const Mesh& mesh, std::span<const Coordinates<3>> position, std::span<Coordinates<3>> target,
                           Nodt_memory& memory) const {
     const std::size_t n = position.size();
-    if (target.size() != n || on_surface_.size() != n || mesh.inside.size() != mesh.cells.size() ||
-        mesh.moments.size() != mesh.cells.size() || mesh.cells.adjacent.size() != mesh.cells.size())
+    if (target.size() != n || on_surface_.size() != n || mesh.inside.size() != mesh.cells.vertices.size() ||
+        mesh.moments.size() != mesh.cells.vertices.size() || mesh.cells.neighbours.size() != mesh.cells.vertices.size())
         throw Error(Error_code::wrong_size, "natural ODT needs a target for every vertex, and flags for every cell");
     size_up(position, memory);
     const std::span<const double> mu = memory.mu_;

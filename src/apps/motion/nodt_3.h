@@ -84,7 +84,7 @@ class Nodt_3 {
     ///
     /// Preconditions: positions are finite and differ; cells are positive. The result is the same bit for bit
     /// whatever the number of threads. Expected O(n). Throws Error(wrong_size). `target` must not overlap `position`.
-    Nodt_step step(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
+    Nodt_step step(const Mesh_cells<3>& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                    std::span<Coordinates<3>> target) const;
     /// The same for cells that were measured at `position` with the same domain, and with a memory: bit for bit the
     /// result of a step without one.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/mesh/facet_side.h>
 #include <apps/motion/cells_3.h>
 #include <apps/motion/tetrahedral_faults.h>
 
@@ -14,31 +15,19 @@ namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-struct Sided_facet {
-    std::array<Index, 3> corners;  ///< sorted
-    bool even;                     ///< whether sorting kept the orientation
+struct Cell_facet {
+    Facet_side<3> side;
     std::size_t cell, opposite;
 };
 
 /// The facets of all cells, equal ones next to each other, in the order of their cells.
-std::vector<Sided_facet> sorted_facets(const std::vector<std::array<Index, 4>>& cells) {
-    std::vector<Sided_facet> facets;
+std::vector<Cell_facet> sorted_facets(const std::vector<std::array<Index, 4>>& cells) {
+    std::vector<Cell_facet> facets;
     facets.reserve(4 * cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
-        for (std::size_t i = 0; i < 4; ++i) {
-            Sided_facet f{{cells[c][facet_corners[i][0]], cells[c][facet_corners[i][1]], cells[c][facet_corners[i][2]]},
-                          true,
-                          c,
-                          i};
-            for (const auto& [a, b] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})
-                if (f.corners[static_cast<std::size_t>(a)] > f.corners[static_cast<std::size_t>(b)]) {
-                    std::swap(f.corners[static_cast<std::size_t>(a)], f.corners[static_cast<std::size_t>(b)]);
-                    f.even = !f.even;
-                }
-            facets.push_back(f);
-        }
-    std::sort(facets.begin(), facets.end(), [](const Sided_facet& f, const Sided_facet& g) {
-        return f.corners != g.corners ? f.corners < g.corners : f.cell < g.cell;
+        for (std::size_t i = 0; i < 4; ++i) facets.push_back({{sites_of<3>(cells[c]), static_cast<int>(i)}, c, i});
+    std::sort(facets.begin(), facets.end(), [](const Cell_facet& f, const Cell_facet& g) {
+        return f.side.sites != g.side.sites ? f.side.sites < g.side.sites : f.cell < g.cell;
     });
     return facets;
 }
@@ -61,24 +50,24 @@ std::optional<Cell_fault> cell_fault(std::span<const Coordinates<3>> points, std
     }
     if (negative)
         for (auto& c : cells) std::swap(c[2], c[3]);
-    const std::vector<Sided_facet> facets = sorted_facets(cells);
+    const std::vector<Cell_facet> facets = sorted_facets(cells);
     for (std::size_t i = 1; i < facets.size(); ++i) {
-        if (facets[i].corners != facets[i - 1].corners) continue;
-        if (i > 1 && facets[i].corners == facets[i - 2].corners)
+        if (facets[i].side.sites != facets[i - 1].side.sites) continue;
+        if (i > 1 && facets[i].side.sites == facets[i - 2].side.sites)
             return Cell_fault{Cell_fault::Kind::crowded, facets[i].cell, facets[i - 2].cell};
-        const bool third = i + 1 < facets.size() && facets[i].corners == facets[i + 1].corners;
-        if (!third && facets[i].even == facets[i - 1].even)
+        const bool third = i + 1 < facets.size() && facets[i].side.sites == facets[i + 1].side.sites;
+        if (!third && facets[i].side.left == facets[i - 1].side.left)
             return Cell_fault{Cell_fault::Kind::folded, facets[i].cell, facets[i - 1].cell};
     }
     return std::nullopt;
 }
 
 Boundary_facets boundary_facets(const std::vector<std::array<Index, 4>>& cells) {
-    const std::vector<Sided_facet> facets = sorted_facets(cells);
+    const std::vector<Cell_facet> facets = sorted_facets(cells);
     std::vector<std::array<std::size_t, 2>> alone;  // cell, corner opposite
     for (std::size_t i = 0; i < facets.size(); ++i) {
-        const bool before = i > 0 && facets[i - 1].corners == facets[i].corners;
-        const bool after = i + 1 < facets.size() && facets[i + 1].corners == facets[i].corners;
+        const bool before = i > 0 && facets[i - 1].side.sites == facets[i].side.sites;
+        const bool after = i + 1 < facets.size() && facets[i + 1].side.sites == facets[i].side.sites;
         if (!before && !after) alone.push_back({facets[i].cell, facets[i].opposite});
     }
     std::sort(alone.begin(), alone.end());

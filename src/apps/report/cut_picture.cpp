@@ -8,7 +8,7 @@
 
 namespace annulus::inline v1 {
 
-Picture cut_picture(const Cells_3& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
+Picture cut_picture(const Mesh_cells<3>& cells, std::span<const char> inside, std::span<const Coordinates<3>> position,
                     std::size_t axis, double at, std::string caption) {
     Picture picture;
     picture.caption = std::move(caption);
@@ -26,14 +26,14 @@ Picture cut_picture(const Cells_3& cells, std::span<const char> inside, std::spa
         return found->second;
     };
     std::set<std::array<Index, 2>> edges;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
         if (inside[c] == 0) continue;
         for (const auto& f : facet_corners) {
             // The section of a facet is a segment between those two of its edges that cross the plane.
             std::array<Index, 2> ends{};
             std::size_t found = 0;
             for (std::size_t i = 0; i < 3; ++i) {
-                const Index a = cells.vertex[c][f[i]], b = cells.vertex[c][f[(i + 1) % 3]];
+                const Index a = cells.vertices[c][f[i]], b = cells.vertices[c][f[(i + 1) % 3]];
                 if (above(a) != above(b)) ends[found++] = point(a, b);
             }
             if (found == 2) edges.insert({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])});

@@ -11,7 +11,7 @@ namespace annulus::inline v1 {
 
 /// The cells with a flag, cut by the plane x[axis] = at: the outlines of their sections, seen along the axis.
 /// Vertices on the plane count as above it. The other two axes run right and up, in their order. Linear.
-[[nodiscard]] Picture cut_picture(const Cells_3& cells, std::span<const char> inside,
+[[nodiscard]] Picture cut_picture(const Mesh_cells<3>& cells, std::span<const char> inside,
                                   std::span<const Coordinates<3>> position, std::size_t axis, double at,
                                   std::string caption);
 

@@ -8,7 +8,7 @@
    - truncated           the largest upper half not above a double is its bits shifted right by 32 (Truncated_double::truncated)
    - double_of_bits      and the number of 64 bits is what IEEE 754 says (Flocq's b64_of_bits)
 
-   Numbers are real, not negative and without NaN; infinity is 2^1024 here, which no reading reaches. *)
+   Numbers are real, not negative and without NaN; infinity is 2^1024 here, which no path length reaches. *)
 Require Import Reals Lra ZArith Lia.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Annulus Require Import algorithm_list.

@@ -2,13 +2,13 @@
 (* Between steps, and the first half of a step (algorithm_filter.v; src/annulus/engine/displacement_budget_expired.cpp).
 
    - invariant, holds_everywhere   every certificate is good, hence holds
-   - unreached_near    a point whose reading has not reached its expiry is near the reference of the record; overdue and clipped expiries
-                       are reached by any reading
+   - unreached_near    a point whose path length has not reached its expiry is near the reference of the record; overdue and clipped expiries
+                       are reached by any path length
    - untested_near     a point that passes the test of a step is near
    - anchors           vertices that failed are anchored
-   - examine_settles   of a vertex that was looked at every certificate is a suspect, or not reached and listed *)
+   - examine_accounts   of a vertex that was looked at every certificate is pending, or not reached and listed *)
 Require Import Reals Lra Lia ZArith List Bool.
-From Annulus Require Import algorithm_listed high_word algorithm_filter algorithm_keep algorithm_commit algorithm_rebase.
+From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep algorithm_commit algorithm_rebase.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -32,18 +32,18 @@ Proof.
   - intros d D. destruct (closed s V i c d M D) as [j J]. now apply (IH d D j).
 Qed.
 
-(* A point whose reading has not reached its expiry: clipped and overdue expiries are reached by any reading. *)
+(* A point whose path length has not reached its expiry: clipped and overdue expiries are reached by any path length. *)
 Theorem unreached_near s x i c v : fine s v -> valid (x v) -> sane s i c -> In v (points c) ->
-  (half (reading s v (x v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
+  (half (path_length s v (x v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
 Proof.
-  intros [B P X Q _] Y S H R. destruct (reading_above _ _ _ B P X Y) as [_ A]. fold (reading s v (x v)) in A.
+  intros [B P X Q _] Y S H R. destruct (path_length_above _ _ _ B P X Y) as [_ A]. fold (path_length s v (x v)) in A.
   assert (D := dist_nonneg (fixed (at_ s v)) (x v)). assert (U := used _ _ _ S v H).
-  assert (E := half_not_reached (reading s v (x v)) _ ltac:(lra) (proj2 U) R).
+  assert (E := half_not_reached (path_length s v (x v)) _ ltac:(lra) (proj2 U) R).
   left. destruct (expires _ _ _ S v H) as [T|T]; [|lra].
   generalize (path _ _ _ S v H) (dist_triangle (reference (record s i) v) (fixed (at_ s v)) (x v)). lra.
 Qed.
 
-(* The same after anchoring, where the base is the reading. *)
+(* The same after anchoring, where the base is the path length. *)
 Lemma unreached_here s x i c v : fine s v -> sane s i c -> In v (points c) -> fixed (at_ s v) = x v ->
   (half (base (at_ s v)) < expiry (record s i) v)%Z -> near x (reference (record s i)) (allowance (record s i)) v.
 Proof.
@@ -106,23 +106,23 @@ Variables (t : state) (v : vertex).
 Hypothesis T : forall i c, mesh t i = Some c -> is_id i /\ forall w, In w (points c) -> in_use (expiry (record t i) w).
 Let now := half (base (at_ t v)).
 
-Definition settled (found : expiry_list * list Z) (i : Z) : Prop :=
+Definition accounted (found : expiry_list * list Z) (i : Z) : Prop :=
   In i (snd found) \/ ((now < expiry (record t i) v)%Z /\ kept (fst found) i (expiry (record t i) v)).
 
-Lemma look_at_form found i : proper capacity (fst found) -> proper capacity (fst (look_at t v found i)) /\
-  (rest (fst (look_at t v found i)) <= rest (fst found))%Z.
+Lemma check_expiry_form found i : proper capacity (fst found) -> proper capacity (fst (check_expiry t v found i)) /\
+  (rest (fst (check_expiry t v found i)) <= rest (fst found))%Z.
 Proof.
-  destruct found as [l S]. intro P. unfold look_at. destruct (has t i v) eqn:H; cbn [negb]; [|split; [exact P|lia]].
+  destruct found as [l S]. intro P. unfold check_expiry. destruct (has t i v) eqn:H; cbn [negb]; [|split; [exact P|lia]].
   destruct (is_expired t i v); cbn [fst]; [split; [exact P|lia]|]. unfold has in H. destruct (mesh t i) as [c|] eqn:M; [|discriminate].
   destruct (in_dec _ _ _) as [V|]; [|discriminate]. destruct (T i c M) as [I U]. split.
   - apply put_proper; [exact I|now apply U|exact P].
   - unfold put. destruct (orb _ _); [unfold put_new; destruct (exchange _ _); simpl; lia|lia].
 Qed.
 
-Lemma look_at_settles found i j c : mesh t j = Some c -> In v (points c) -> i = j \/ settled found j -> settled (look_at t v found i) j.
+Lemma check_expiry_accounts found i j c : mesh t j = Some c -> In v (points c) -> i = j \/ accounted found j -> accounted (check_expiry t v found i) j.
 Proof.
   intros M V. destruct found as [l S]. destruct (has_spec t j c v M) as [_ Hs]. specialize (Hs V). destruct (T j c M) as [I U].
-  unfold look_at. intro K. destruct (Z.eq_dec i j) as [->|D].
+  unfold check_expiry. intro K. destruct (Z.eq_dec i j) as [->|D].
   - rewrite Hs. cbn [negb]. destruct (is_expired t j v) eqn:E; [left; now left|right].
     unfold is_expired in E. rewrite Hs in E. apply Z.leb_gt in E. split; [exact E|]. apply put_kept; [exact I|right; split; [reflexivity|lia]].
   - destruct K as [K|K]; [contradiction|]. destruct (has t i v) eqn:H; cbn [negb]; [|exact K].
@@ -130,26 +130,26 @@ Proof.
     unfold has in H. destruct (mesh t i) as [d|] eqn:Mi; [|discriminate]. apply put_kept; [exact (proj1 (T i d Mi))|left; split; [congruence|exact Q]].
 Qed.
 
-Lemma looks ids : forall found, proper capacity (fst found) -> let f := fold_left (look_at t v) ids found in
+Lemma check_expiries ids : forall found, proper capacity (fst found) -> let f := fold_left (check_expiry t v) ids found in
   proper capacity (fst f) /\ (rest (fst f) <= rest (fst found))%Z /\
-  forall j c, mesh t j = Some c -> In v (points c) -> In j ids \/ settled found j -> settled f j.
+  forall j c, mesh t j = Some c -> In v (points c) -> In j ids \/ accounted found j -> accounted f j.
 Proof.
   induction ids as [|i ids IH]; intros found P; simpl.
   - split; [exact P|split; [lia|]]. intros j c _ _ [[]|H]. exact H.
-  - destruct (look_at_form found i P) as [Q R]. destruct (IH _ Q) as (A & B & C). split; [exact A|split; [lia|]].
-    intros j c M V H. apply C with c; trivial. destruct H as [[<-|H]|H]; [right; apply look_at_settles with c; trivial; now left|now left|right].
-    apply look_at_settles with c; trivial. now right.
+  - destruct (check_expiry_form found i P) as [Q R]. destruct (IH _ Q) as (A & B & C). split; [exact A|split; [lia|]].
+    intros j c M V H. apply C with c; trivial. destruct H as [[<-|H]|H]; [right; apply check_expiry_accounts with c; trivial; now left|now left|right].
+    apply check_expiry_accounts with c; trivial. now right.
 Qed.
 
 Lemma partition_filter {A} (f : A -> bool) l : partition f l = (filter f l, filter (fun a => negb (f a)) l).
 Proof. induction l as [|a l IH]; simpl; [reflexivity|]. rewrite IH. now destruct (f a). Qed.
 
-Lemma tour_settles found : proper capacity (fst (tour t v found)) /\
-  forall j c, mesh t j = Some c -> In v (points c) -> settled (tour t v found) j.
+Lemma visit_star_accounts found : proper capacity (fst (visit_star t v found)) /\
+  forall j c, mesh t j = Some c -> In v (points c) -> accounted (visit_star t v found) j.
 Proof.
-  unfold tour. rewrite partition_filter.
+  unfold visit_star. rewrite partition_filter.
   set (expired := filter _ _). set (others := filter (fun i => negb _) _).
-  destruct (looks expired (cleared capacity, snd found)) as (A & _ & B); [apply cleared_proper|].
+  destruct (check_expiries expired (cleared capacity, snd found)) as (A & _ & B); [apply cleared_proper|].
   destruct (fold_left _ expired _) as [l' S']. cbn [fst] in A.
   assert (Ids : forall y, In y (map (fun i => (own t v i, i)) others) -> is_id (snd y) /\ (0 <= fst y <= never)%Z).
   { intros y H. apply in_map_iff in H. destruct H as (i & <- & H). apply filter_In in H. destruct H as [H _]. simpl.
@@ -166,19 +166,19 @@ Proof.
       * unfold own. rewrite (Hs V). simpl. lia.
 Qed.
 
-Theorem examine_settles : proper capacity (listing (at_ t v)) -> proper capacity (fst (examine t v)) /\
-  forall j c, mesh t j = Some c -> In v (points c) -> kept (listing (at_ t v)) j (expiry (record t j) v) -> settled (examine t v) j.
+Theorem examine_accounts : proper capacity (listing (at_ t v)) -> proper capacity (fst (examine t v)) /\
+  forall j c, mesh t j = Some c -> In v (points c) -> kept (listing (at_ t v)) j (expiry (record t j) v) -> accounted (examine t v) j.
 Proof.
   intro P. unfold examine. fold now. destruct (rest (listing (at_ t v)) <=? now)%Z eqn:R0.
-  { destruct (tour_settles (listing (at_ t v), [])) as [D1 D2]. split; [exact D1|]. intros j c M V _. now apply D2 with c. }
+  { destruct (visit_star_accounts (listing (at_ t v), [])) as [D1 D2]. split; [exact D1|]. intros j c M V _. now apply D2 with c. }
   assert (Tp := take_proper capacity now _ P).
   assert (K := fun j own => take_kept capacity now (listing (at_ t v)) j own P).
   assert (Fd := fun j own => take_finds capacity now (listing (at_ t v)) j own P).
   destruct (take now (listing (at_ t v))) as [visited l] eqn:E. cbn [fst snd] in *.
   assert (Re : rest l = rest (listing (at_ t v))) by (unfold take in E; inversion E; reflexivity).
-  destruct (looks visited (l, []) Tp) as (A & B & C).
+  destruct (check_expiries visited (l, []) Tp) as (A & B & C).
   set (found := fold_left _ visited _) in *. cbn [fst] in B. destruct (rest (fst found) <=? now)%Z eqn:R.
-  - destruct (tour_settles found) as [D1 D2]. split; [exact D1|]. intros j c M V _. now apply D2 with c.
+  - destruct (visit_star_accounts found) as [D1 D2]. split; [exact D1|]. intros j c M V _. now apply D2 with c.
   - apply Z.leb_gt in R. split; [exact A|]. intros j c M V H. apply C with c; trivial. destruct (T j c M) as [I U].
     destruct (Z.le_gt_cases (expiry (record t j) v) now) as [L'|G].
     + destruct (Fd j _ I (proj2 (U v V)) H L') as [Q|Q]; [now left|lia].
