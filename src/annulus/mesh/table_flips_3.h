@@ -60,7 +60,8 @@ struct Flip_4_4 {
 /// 4-4: replacing an edge u w that four cells share by the edge of the opposite vertices p and q of the facet at
 /// half-facet h. Returns the cells that this would remove and create; the table is not changed. u w is the edge of that
 /// facet that lies opposite to the vertex c of corner k. Precondition: k is another corner of the cell of h. Returns
-/// nothing if not exactly four cells share u w. Each triangle of the picture makes one cell with c, behind it, and one with r, in front of it.
+/// nothing if not exactly four cells share u w. Each triangle of the picture makes one cell with c, behind it, and one
+/// with r, in front of it.
 [[nodiscard]] std::optional<Flip_4_4> flip_4_4(const Corner_table<3>& t, Corner_index h, Corner_index k);
 
 }  // namespace annulus::inline v1

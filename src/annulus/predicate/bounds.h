@@ -6,11 +6,12 @@ namespace annulus::inline v1::bounds {
 /// Unit roundoff of double, u = 2^-53: a rounded operation is off by at most u relative to its result.
 inline constexpr double u = 0x1p-53;
 
-// Upper bounds of the forward errors of the filter stage in units of u, when every computed difference of coordinates is at most 1 in
-// magnitude. For any other magnitude m they hold as the constant times u m^k, where k is the degree of the
-// determinant, because the proofs use only the relative error of each operation. (A bound proved for the unit box in
-// binary64 as such would hold for powers of two only: an ulp below 1 is half of one above; orientation reaches 8 u m^2
-// at m = 1 + 2^-22.) proofs/check compares the constants with the scripts, and Gappa refuses each one lowered by 1 or 2.
+// Upper bounds of the forward errors of the filter stage in units of u, when every computed difference of coordinates
+// is at most 1 in magnitude. For any other magnitude m they hold as the constant times u m^k, where k is the degree of
+// the determinant, because the proofs use only the relative error of each operation. (A bound proved for the unit box
+// in binary64 as such would hold for powers of two only: an ulp below 1 is half of one above; orientation reaches
+// 8 u m^2 at m = 1 + 2^-22.) proofs/check compares the constants with the scripts, and Gappa refuses each one lowered
+// by 1 or 2.
 
 // In 2D: proofs/gappa/certificates_2.g proves each line for exactly the order of operations in width_terms.h.
 

@@ -57,8 +57,8 @@ template <class V>
 }
 
 /// Filter stage of the empty circle of an edge: x = {a, b, p, q}, p right of ab, q left of it. Positive when the
-/// circle through a, b, q leaves p strictly outside. Precondition: p is right of ab, q left of it; otherwise the sign is
-/// that of the determinant. Returns false as orientation_filter does.
+/// circle through a, b, q leaves p strictly outside. Precondition: p is right of ab, q left of it; otherwise the sign
+/// is that of the determinant. Returns false as orientation_filter does.
 ///
 /// The rounding mode must be to nearest. About 15 ns; batch.h is faster. Errors: bounds.h,
 /// proofs/gappa/certificates_2.g.
