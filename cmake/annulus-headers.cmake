@@ -8,7 +8,7 @@ set(annulus_plain_headers
     degeneracy.h
     error.h
     mesh_cells.h
-    move_report.h
+    move_result.h
     moving_mesh.h
     options.h
     predicates.h

@@ -21,7 +21,7 @@ class LloydResult(typing.NamedTuple):
     points: NDArray[np.float64]
     mean_displacement: NDArray[np.float64]
     max_displacement: NDArray[np.float64]
-    report: _core.MoveReport
+    report: _core.MoveResult
 
 
 class NodtResult(typing.NamedTuple):
@@ -32,7 +32,7 @@ class NodtResult(typing.NamedTuple):
     on_surface: NDArray[np.bool_]
     mean_displacement: NDArray[np.float64]
     max_displacement: NDArray[np.float64]
-    report: _core.MoveReport
+    report: _core.MoveResult
 
 
 def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> AuditResult:

@@ -103,7 +103,7 @@ class MovingDelaunay(Queries):
 
     # ---- Changes -----------------------------------------------------------------------------
 
-    def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveReport:
+    def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveResult:
         """Moves all or some vertices at the same time.
 
         Parameters
@@ -115,8 +115,9 @@ class MovingDelaunay(Queries):
 
         Returns
         -------
-        MoveReport
-            What happened to the vertices, what was computed, and the simplices that were created and removed.
+        MoveResult
+            What became of the vertices, and the simplices that were created and removed; its `statistics` say what
+            the call cost.
 
         Raises
         ------
@@ -170,7 +171,7 @@ class MovingDelaunay(Queries):
         """
         self._mesh.remove(indices)
 
-    def recompute_tolerances(self) -> _core.MoveReport:
+    def recompute_tolerances(self) -> _core.MoveResult:
         """Computes every tolerance again, measured from the current positions of the vertices. O(n)."""
         return self._mesh.recompute_tolerances()
 

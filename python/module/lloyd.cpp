@@ -64,8 +64,8 @@ void iterate(const Domain_2& domain, Density density, std::int64_t iterations, c
     for (std::int64_t i = 0; i < iterations; ++i) {
         if (changed) read_stars(dt, stars);
         const Lloyd_step step = lloyd.step(stars, dt.points(), points, memory);
-        const Move_report report = dt.move_all(std::span<const Coordinates<2>>(points));
-        changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+        const Move_result report = dt.move_all(std::span<const Coordinates<2>>(points));
+        changed = report.statistics.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
         history.add(step.mean_displacement, step.max_displacement, report);
         if (!goes_on(callback, history)) return;
     }

@@ -74,10 +74,10 @@ Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const
 /// ones that are right, too.
 template <int d>
 template <class Call>
-Move_report Mesh<d>::changing(Call call) {
+Move_result Mesh<d>::changing(Call call) {
     return locked([&] {
         require_sound_environment();  // another module may have changed it
-        Move_report report;
+        Move_result report;
         try {
             call(report);
         } catch (...) {
@@ -90,18 +90,18 @@ Move_report Mesh<d>::changing(Call call) {
 }
 
 template <int d>
-Move_report Mesh<d>::move(const Points_in<d>& points) {
-    return changing([&](Move_report& report) { report = mesh_.move_all(points.span()); });
+Move_result Mesh<d>::move(const Points_in<d>& points) {
+    return changing([&](Move_result& report) { report = mesh_.move_all(points.span()); });
 }
 
 template <int d>
-Move_report Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>& points) {
-    return changing([&](Move_report& report) { report = mesh_.move(indices, points.span()); });
+Move_result Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>& points) {
+    return changing([&](Move_result& report) { report = mesh_.move(indices, points.span()); });
 }
 
 template <int d>
-Move_report Mesh<d>::recompute_tolerances() {
-    return changing([&](Move_report& report) { report = mesh_.recompute_tolerances(); });
+Move_result Mesh<d>::recompute_tolerances() {
+    return changing([&](Move_result& report) { report = mesh_.recompute_tolerances(); });
 }
 
 /// Throws unless the points are in the domain, are distinct, and none of them has the position of a vertex. O(n).
@@ -124,7 +124,7 @@ void Mesh<d>::require_free(std::span<const Point> points) const {
 template <int d>
 std::vector<Index> Mesh<d>::insert(const Points_in<d>& points) {
     std::vector<Index> indices;
-    (void)changing([&](Move_report&) {
+    (void)changing([&](Move_result&) {
         require_free(points.span());
         indices.reserve(points.span().size());
         free_indices_.reserve(free_indices_.size() + points.span().size());
@@ -154,7 +154,7 @@ void Mesh<d>::remove_one(Index i) {
 
 template <int d>
 void Mesh<d>::remove(const std::vector<Index>& indices) {
-    (void)changing([&](Move_report&) {
+    (void)changing([&](Move_result&) {
         std::vector<Index> once = indices;
         std::sort(once.begin(), once.end());
         for (std::size_t k = 0; k < once.size(); ++k)

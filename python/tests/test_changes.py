@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 
 from support import STRATEGIES, as_oriented_set, as_set, check, points_of, repeats
 
+COUNTS = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
+
 
 @pytest.mark.parametrize("d", [2, 3])
 @pytest.mark.parametrize("strategy", STRATEGIES)
@@ -21,14 +23,16 @@ def test_reports_add_up(strategy, d):
         x = x + step * rng.standard_normal(x.shape) / 10
         r = dt.move(x)
         assert r.asked == 120
-        assert r.within_tolerance + r.kept_in_place + r.flipped + r.reinserted + r.rebuilt == r.asked
+        assert sum(getattr(r, name) for name in COUNTS) == r.asked
         now = as_oriented_set(dt.simplices)
         assert as_oriented_set(r.changed_simplices) == now - before
         assert as_oriented_set(r.removed_simplices) == before - now
         assert (len(r.changed_simplices) == len(now - before)
                 and len(r.removed_simplices) == len(before - now)), "each once"
         assert r.changed_simplices.shape[1] == d + 1 and not r.changed_simplices.flags.writeable
-        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "cost", "exact"}
+        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() == {"asked", *COUNTS}
+        assert r.statistics.as_dict().keys() >= {"flips", "cost", "exact"}
+        assert r.statistics.evaluated == r.statistics.filter + r.statistics.interval + r.statistics.exact
         assert "asked 120" in repr(r)
         check(dt)
 

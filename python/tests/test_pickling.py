@@ -160,6 +160,9 @@ def test_reports():
     other = pickle.loads(pickle.dumps(report))
     assert other.as_dict() == report.as_dict() and np.array_equal(other.changed_simplices, report.changed_simplices)
     assert np.array_equal(other.removed_simplices, report.removed_simplices)
+    cost = pickle.loads(pickle.dumps(report.statistics))
+    assert report.statistics.evaluated > 0
+    assert cost.as_dict() == other.statistics.as_dict() == report.statistics.as_dict()
 
 
 def test_what_is_no_state():

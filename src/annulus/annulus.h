@@ -75,8 +75,10 @@ typedef struct annulus_options {
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
-// What a call did, as counts of vertices, certificates, flips and time steps. Set `size` to sizeof(annulus_report)
-// before the call; members beyond `size` are not written.
+// What a call changed: what became of the vertices, `asked` to `rebuilt`, and `changed`. The other members are
+// statistics of what the call cost. They stay where they are, but are no stable interface: a later version of the
+// library may count otherwise, or write 0. Set `size` to sizeof(annulus_report) before the call; members beyond `size`
+// are not written.
 typedef struct annulus_report {
     size_t size;
     uint64_t asked;             // vertices that the call was to move; the next five add up to it

@@ -46,7 +46,7 @@ std::vector<Coordinates<d>> points_of(std::span<const double> coordinates) {
     return points;
 }
 
-void hand_over(Move_report& done, Move_report* report) {
+void hand_over(Move_result& done, Move_result* report) {
     if (report != nullptr) *report = std::move(done);
 }
 
@@ -68,33 +68,33 @@ template <int d>
 Moving_mesh<d>& Moving_mesh<d>::operator=(Moving_mesh&&) noexcept = default;
 
 template <int d>
-Move_report Moving_mesh<d>::move(Index i, const Point& p) {
+Move_result Moving_mesh<d>::move(Index i, const Point& p) {
     return parts_->changing().move(i, p);
 }
 template <int d>
-Move_report Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+Move_result Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
     return parts_->changing().move(indices, points);
 }
 template <int d>
-Move_report Moving_mesh<d>::move_all(std::span<const Point> points) {
+Move_result Moving_mesh<d>::move_all(std::span<const Point> points) {
     return parts_->changing().move_all(points);
 }
 template <int d>
-Index Moving_mesh<d>::insert(const Point& p, Move_report* report) {
-    Move_report done;
+Index Moving_mesh<d>::insert(const Point& p, Move_result* report) {
+    Move_result done;
     const Index i = parts_->changing().insert(p, done);
     hand_over(done, report);
     return i;
 }
 template <int d>
-void Moving_mesh<d>::remove(Index i, Move_report* report) {
+void Moving_mesh<d>::remove(Index i, Move_result* report) {
     parts_->engine.require_vertex(i);
-    Move_report done;
+    Move_result done;
     parts_->changing().remove(i, done);
     hand_over(done, report);
 }
 template <int d>
-Move_report Moving_mesh<d>::recompute_tolerances() {
+Move_result Moving_mesh<d>::recompute_tolerances() {
     return parts_->changing().recompute_tolerances();
 }
 

@@ -4,7 +4,7 @@
 #include <annulus/audit.h>
 #include <annulus/error.h>
 #include <annulus/mesh_cells.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <array>
@@ -44,15 +44,15 @@ class Moving_mesh {
     Moving_mesh& operator=(Moving_mesh&&) noexcept;
 
     /// As in Moving_delaunay.
-    Move_report move(Index i, const Point& p);
-    Move_report move(std::span<const Index> indices, std::span<const Point> points);
-    Move_report move_all(std::span<const Point> points);
+    Move_result move(Index i, const Point& p);
+    Move_result move(std::span<const Index> indices, std::span<const Point> points);
+    Move_result move_all(std::span<const Point> points);
     /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, duplicate_point.
-    Index insert(const Point& p, Move_report* report = nullptr);
+    Index insert(const Point& p, Move_result* report = nullptr);
     /// Throws unknown_vertex.
-    void remove(Index i, Move_report* report = nullptr);
+    void remove(Index i, Move_result* report = nullptr);
     /// Makes the moving position of every vertex its fixed one and computes every tolerance again. O(n).
-    Move_report recompute_tolerances();
+    Move_result recompute_tolerances();
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     /// Affine dimension of the points, -1 if there are none.

@@ -61,7 +61,7 @@ struct Options {
     Tolerance_kind tolerance = Tolerance_kind::certified;
     int threads = 1;                ///< 1 or more, else Error(usage); results do not depend on it
     bool merge_duplicates = false;  ///< equal input points become one vertex instead of an error
-    bool report_changes = false;    ///< list the cells that came and went in a call: Move_report::changed, gone
+    bool report_changes = false;    ///< list the cells that came and went in a call: Move_result::changed, gone
     std::uint64_t seed = 0;         ///< of the sample that `paper_hybrid` draws
 };
 

@@ -33,19 +33,19 @@ class Mesh_of final : public Any_mesh {
     const Options& options() const override { return mesh_.options(); }
     std::span<const Index> vertex_of_input() const override { return mesh_.vertex_of_input(); }
 
-    Move_report move_all(const double* x, std::size_t points) override {
+    Move_result move_all(const double* x, std::size_t points) override {
         return mesh_.move_all(as_points<d>(x, points));
     }
-    Move_report move(std::span<const Index> indices, const double* x) override {
+    Move_result move(std::span<const Index> indices, const double* x) override {
         return mesh_.move(indices, as_points<d>(x, indices.size()));
     }
     void require_positions(const double* x, std::size_t points) const override {
         const auto all = as_points<d>(x, points);
         for (std::size_t k = 0; k < points; ++k) require_in_domain(all[k], "point", static_cast<std::int64_t>(k));
     }
-    Index insert(const double* x, Move_report& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
-    void remove(Index i, Move_report& report) override { mesh_.remove(i, &report); }
-    Move_report recompute_tolerances() override { return mesh_.recompute_tolerances(); }
+    Index insert(const double* x, Move_result& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
+    void remove(Index i, Move_result& report) override { mesh_.remove(i, &report); }
+    Move_result recompute_tolerances() override { return mesh_.recompute_tolerances(); }
 
     void points(double* x) const override {
         const auto now = mesh_.points();

@@ -54,7 +54,7 @@ void Engine<d>::build(std::span<const Point> points) {
         for (std::size_t i = 0; i < points.size(); ++i) vertex_of_input_.push_back(static_cast<Index>(i));
     }
     mesh_.build(points);
-    Move_report report;
+    Move_result report;
     strategy_->begin(points, report);
 }
 
@@ -88,7 +88,7 @@ void Engine<d>::restore_cells(Index fresh) {
         strategy_->resume_at_delaunay_positions();
         return;
     }
-    Move_report discarded;
+    Move_result discarded;
     strategy_->begin(positions(), discarded);
 }
 
@@ -130,8 +130,8 @@ double Engine<d>::displacement(Index i) const {
 }
 
 template <int d>
-Move_report Engine<d>::recompute_tolerances() {
-    Move_report report;
+Move_result Engine<d>::recompute_tolerances() {
+    Move_result report;
     guarded([&] {
         listing_changes(report, {}, [&] {
             if (strategy_->trusted()) strategy_->refresh_all(report);
@@ -144,7 +144,7 @@ Move_report Engine<d>::recompute_tolerances() {
 /// Insertion and removal need a Delaunay triangulation. Tolerances that are not certified may have left another one,
 /// or one at other positions.
 template <int d>
-void Engine<d>::make_trusted(Move_report& report) {
+void Engine<d>::make_trusted(Move_result& report) {
     if (strategy_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
     mesh_.rebuild(x);
@@ -170,7 +170,7 @@ Index Engine<d>::vertex_at(const Point& p, std::size_t bound) const {
 }
 
 template <int d>
-Index Engine<d>::insert(const Point& p, Move_report& report) {
+Index Engine<d>::insert(const Point& p, Move_result& report) {
     require_in_domain(p);
     require_whole();
     if (free_indices_.empty() && index_bound() >= Limits::vertices)
@@ -197,7 +197,7 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
 }
 
 template <int d>
-void Engine<d>::remove(Index i, Move_report& report) {
+void Engine<d>::remove(Index i, Move_result& report) {
     free_indices_.reserve(free_indices_.size() + 1);
     const auto take = [&] {
         make_trusted(report);

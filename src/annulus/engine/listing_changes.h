@@ -13,7 +13,7 @@ namespace annulus::inline v1 {
 /// call writes. When there is no memory for the list, their positions are restored, and the caller rebuilds.
 template <int d>
 template <class Call>
-void Engine<d>::listing_changes(Move_report& report, std::span<const Index> movers, Call call) {
+void Engine<d>::listing_changes(Move_result& report, std::span<const Index> movers, Call call) {
     if (!change_log_) return call();
     std::vector<Point> source;
     source.reserve(movers.size());

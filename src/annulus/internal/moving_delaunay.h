@@ -69,8 +69,8 @@ class Moving_delaunay {
 
     /// Moves one vertex. Expected O(degree) for a short way. Throws not_finite, out_of_domain, duplicate_point,
     /// unknown_vertex.
-    Move_report move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
-    Move_report move(Index i, const Coordinates<d>& p) {
+    Move_result move(Vertex_handle v, const Point& p) { return move(index(v), View::coordinates(p)); }
+    Move_result move(Index i, const Coordinates<d>& p) {
         invalidate({&i, 1});
         return mesh_.move(i, p);
     }
@@ -78,12 +78,12 @@ class Moving_delaunay {
     /// is named twice, its last point counts. Under a strategy that repairs the mesh, fewer than one vertex in 64 cost
     /// as much as their single moves; otherwise the call costs as much as move_all. Throws wrong_size, and what move
     /// throws.
-    Move_report move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
+    Move_result move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
         invalidate(indices);
         return mesh_.move(indices, points);
     }
     template <class Range>
-    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
+    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_result
     move(std::span<const Index> indices, const Range& points) {
         return move(indices, std::span<const Coordinates<d>>(coordinates(std::begin(points), std::end(points))));
     }
@@ -93,7 +93,7 @@ class Moving_delaunay {
         Point(pair->second);
         Vertex_handle(pair->first);
     }
-    Move_report move(It first, It last) {
+    Move_result move(It first, It last) {
         std::vector<Index> indices;
         std::vector<Coordinates<d>> points;
         for (; first != last; ++first) {
@@ -106,18 +106,18 @@ class Moving_delaunay {
     /// Moves every vertex: points[i] is the new position of vertex i; points at free indices are ignored. O(n) with a
     /// small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points, not_finite,
     /// out_of_domain, duplicate_point.
-    Move_report move_all(std::span<const Coordinates<d>> points) {
+    Move_result move_all(std::span<const Coordinates<d>> points) {
         view_->invalidate();
         return mesh_.move_all(points);
     }
     template <class Range>
-    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_report
+    requires std::is_convertible_v<decltype(*std::begin(std::declval<const Range&>())), Point> Move_result
     move_all(const Range& points) {
         return move_all(std::span<const Coordinates<d>>(coordinates(std::begin(points), std::end(points))));
     }
 
     /// Inserts a vertex. Throws not_finite, out_of_domain, duplicate_point.
-    Vertex_handle insert(const Point& p, Move_report* report = nullptr) {
+    Vertex_handle insert(const Point& p, Move_result* report = nullptr) {
         invalidate({});
         view_->reserve_vertex();
         Index i = none;
@@ -132,7 +132,7 @@ class Moving_delaunay {
     /// Removes a vertex. Its handle becomes invalid, its index free. Throws unknown_vertex. When memory runs out, the
     /// vertex may be gone: then vertex(i) is null at its index, which is the one freed last, and everything else is
     /// right.
-    void remove(Vertex_handle v, Move_report* report = nullptr) {
+    void remove(Vertex_handle v, Move_result* report = nullptr) {
         const Index i = index(v);
         invalidate({});
         try {
@@ -146,7 +146,7 @@ class Moving_delaunay {
     /// Makes every moving position the fixed one and recomputes every tolerance. O(n). With tolerances that are not
     /// certified, two vertices may have come to one position unnoticed; then it throws duplicate_point, as do insert
     /// and remove, until one of them has moved away.
-    Move_report recompute_tolerances() {
+    Move_result recompute_tolerances() {
         view_->invalidate();
         return mesh_.recompute_tolerances();
     }
