@@ -20,8 +20,8 @@ from ._functions import LloydResult, NodtResult, audit, counterexample, degenera
 from ._moving_delaunay import MovingDelaunay
 from ._queries import AuditResult, Fault
 
-__all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveResult", "MoveStatistics", "MovingDelaunay",
-           "NodtResult", "OpenBoundariesWarning", "__version__", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
-           "predicates"]
+__all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveResult", "MoveStatistics",
+           "MovingDelaunay", "NodtResult", "OpenBoundariesWarning", "__version__", "audit", "counterexample",
+           "degeneracy", "lloyd", "nodt", "predicates"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

@@ -144,13 +144,19 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
     return view<Index>(vertices.data(), {m, d_ + 1}, report_);
 }
 
+py::object Report::listed(const std::vector<Index>& vertices) const {
+    if (!lists_changes_)
+        throw Error(Error_code::usage, "simplices that changed are listed with report_changes=True only");
+    return simplices(vertices);
+}
+
 py::dict Report::as_dict() const { return dict_of(counts, report_->moves); }
 
 py::str Report::repr() const { return repr_of("MoveResult", counts, report_->moves); }
 
 py::tuple Report::state() const {
-    return py::make_tuple(as_dict(), statistics_dict(report_->statistics), d_, changed_simplices(),
-                          removed_simplices());
+    return py::make_tuple(as_dict(), statistics_dict(report_->statistics), d_, simplices(report_->changed),
+                          simplices(report_->gone));
 }
 
 Report Report::of_state(const py::object& object) {
@@ -204,10 +210,12 @@ What became of the vertices, as counts, and the simplices that were created and 
             R"(ndarray of int32, shape (m, d + 1): simplices that did not exist before the call, as rows of vertex )"
             R"(indices, positively oriented; read-only.
 
-None unless the triangulation has ``report_changes=True``. Points that do not span d dimensions have no simplices.)")
+Raises an `Error` with the code ``usage`` unless the triangulation has ``report_changes=True``. Points that do not span
+d dimensions have no simplices.)")
         .def_property_readonly(
             "removed_simplices", &Report::removed_simplices,
-            "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. None is also in "
+            "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. No simplex is also "
+            "in "
             "`changed_simplices`, except one that was turned over: its vertices are in both, in another order.")
         .def("as_dict", &Report::as_dict, "dict: all counts by name, without those of `statistics`.")
         .def("__repr__", &Report::repr)

@@ -17,7 +17,7 @@ COUNTS = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt
 def test_reports_add_up(strategy, d):
     rng = np.random.default_rng(1)
     x = rng.random((120, d))
-    dt = annulus.MovingDelaunay(x, strategy)
+    dt = annulus.MovingDelaunay(x, strategy, report_changes=True)
     for step in (1e-6, 1e-3, 0.03, 0.3):
         before = as_oriented_set(dt.simplices)
         x = x + step * rng.standard_normal(x.shape) / 10
@@ -62,10 +62,13 @@ def test_simplices_are_those_of_now():
             check(dt)
 
 
-def test_changed_simplices_can_be_left_out():
-    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)), report_changes=False)
+def test_changed_simplices_are_listed_on_request():
+    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)))
     report = dt.move(dt.points + 0.1 * np.sin(7 * dt.points[:, ::-1]))
-    assert report.changed_simplices is None and report.removed_simplices is None
+    for name in ("changed_simplices", "removed_simplices"):
+        with pytest.raises(annulus.Error, match="report_changes=True") as e:
+            getattr(report, name)
+        assert e.value.code == "usage"
 
 
 def test_vacant_indices():

@@ -10,6 +10,7 @@
 #include <annulus/published/strategies.h>
 
 #include <cstring>
+#include <limits>
 #include <mutex>
 
 namespace annulus::inline v1 {
@@ -164,7 +165,7 @@ std::vector<Index> Moving_mesh<d>::find_cells(std::span<const Point> points) con
 
 template <int d>
 std::vector<double> Moving_mesh<d>::tolerances() const {
-    std::vector<double> out(index_bound(), 0.0);
+    std::vector<double> out(index_bound(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < out.size(); ++i)
         if (is_vertex(static_cast<Index>(i))) out[i] = parts_->engine.tolerance(static_cast<Index>(i));
     return out;

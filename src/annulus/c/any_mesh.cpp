@@ -40,8 +40,7 @@ class Mesh_of final : public Any_mesh {
         return mesh_.move(indices, as_points<d>(x, indices.size()));
     }
     void require_positions(const double* x, std::size_t points) const override {
-        const auto all = as_points<d>(x, points);
-        for (std::size_t k = 0; k < points; ++k) require_in_domain(all[k], "point", static_cast<std::int64_t>(k));
+        require_in_domain(as_points<d>(x, points), "point");
     }
     Index insert(const double* x, Move_result& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
     void remove(Index i, Move_result& report) override { mesh_.remove(i, &report); }
@@ -59,7 +58,8 @@ class Mesh_of final : public Any_mesh {
     }
     void displacements(double* lengths) const override {
         for (std::size_t i = 0; i < index_bound(); ++i)
-            lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i)) : 0.0;
+            lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i))
+                                                          : std::numeric_limits<double>::quiet_NaN();
     }
     void voronoi(double* volumes, Index* neighbour_counts) const override {
         std::vector<double> v;

@@ -3,6 +3,7 @@
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
+#include <annulus/engine/require_removable.h>
 
 #include <algorithm>
 
@@ -109,15 +110,7 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
         require(indices, count, "indices");
         require_report(report);
         require_sound_environment();
-        std::vector<Index> sorted;
-        if (count > 0) sorted.assign(indices, indices + count);
-        std::sort(sorted.begin(), sorted.end());
-        if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-            throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice",
-                          *twice);
-        for (const Index i : sorted)
-            if (!m.mesh->is_vertex(i))
-                throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i), i);
+        require_removable(std::span(indices, count), [&](Index i) { return m.mesh->is_vertex(i); });
         begin_several(m, report, removed);
         Move_result all;
         for (std::size_t k = 0; k < count; ++k) {

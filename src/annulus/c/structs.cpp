@@ -30,13 +30,12 @@ Options options_of(const annulus_options* given) {
         if (beyond[i] != 0)
             throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
-    if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
     choose(options.strategy, known.strategy, strategy_named, "strategy",
            "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
         throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");
-    options.threads = std::max(1, known.threads);
+    if (known.threads != 0) options.threads = known.threads;  // Engine refuses what is below 1
     options.merge_duplicates = known.merge_duplicates != 0;
     options.report_changes = known.report_changes != 0;
     options.seed = known.seed;

@@ -36,7 +36,7 @@ Strategy Engine<d>::strategy() const {
 
 template <int d>
 void Engine<d>::build(std::span<const Point> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
+    require_in_domain(points, "point");
     if (points.size() > Limits::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
     std::vector<Point> distinct;
@@ -53,7 +53,12 @@ void Engine<d>::build(std::span<const Point> points) {
     } else {
         for (std::size_t i = 0; i < points.size(); ++i) vertex_of_input_.push_back(static_cast<Index>(i));
     }
-    mesh_.build(points);
+    try {
+        mesh_.build(points);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, points, [](Index) { return true; }, "points", "have");
+    }
     Move_result report;
     strategy_->begin(points, report);
 }
@@ -141,13 +146,31 @@ Move_result Engine<d>::recompute_tolerances() {
     return report;
 }
 
+template <int d>
+void Engine<d>::require_vertices(std::span<const Index> indices) const {
+    std::vector<std::int64_t> unknown;
+    for (const Index i : indices)
+        if (!is_vertex(i)) unknown.push_back(i);
+    if (unknown.empty()) return;
+    std::sort(unknown.begin(), unknown.end());
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
+    std::string what = "no vertex has index " + std::to_string(unknown.front());
+    if (unknown.size() > 1) what += ", nor any of " + std::to_string(unknown.size() - 1) + " more";
+    throw Error(Error_code::unknown_vertex, what, std::move(unknown));
+}
+
 /// Insertion and removal need a Delaunay triangulation. Tolerances that are not certified may have left another one,
 /// or one at other positions.
 template <int d>
 void Engine<d>::make_trusted(Move_result& report) {
     if (strategy_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
-    mesh_.rebuild(x);
+    try {
+        mesh_.rebuild(x);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); }, "vertices", "have");
+    }
     strategy_->begin(x, report);
 }
 
@@ -191,7 +214,12 @@ Index Engine<d>::insert(const Point& p, Move_result& report) {
         if (before == d) strategy_->refresh(changed, report);
         else if (mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
-    guarded([&] { listing_changes(report, {}, put); }, i);
+    try {
+        guarded([&] { listing_changes(report, {}, put); }, i);
+    } catch (...) {
+        clear_free_positions();
+        throw;
+    }
     if (!free_indices_.empty()) free_indices_.pop_back();
     return i;
 }
@@ -213,7 +241,13 @@ void Engine<d>::remove(Index i, Move_result& report) {
         if (!changed.empty()) strategy_->refresh(changed, report);
         else if (before == d || mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
-    guarded([&] { listing_changes(report, {}, take); });
+    try {
+        guarded([&] { listing_changes(report, {}, take); });
+    } catch (...) {
+        clear_free_positions();
+        throw;
+    }
+    strategy_->clear_position(i);
 }
 
 template <int d>

@@ -43,6 +43,8 @@ class Engine {
     [[nodiscard]] bool is_vertex(Index i) const;
     /// Throws unknown_vertex.
     void require_vertex(Index i) const;
+    /// The same, naming every index that names no vertex.
+    void require_vertices(std::span<const Index> indices) const;
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return vertex_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
     /// The positions at which the triangulation is Delaunay. They differ from positions() only while tolerances that
@@ -68,6 +70,9 @@ class Engine {
     void recover(std::size_t bound, Index fresh) noexcept;
     void restore_cells(Index fresh);
     void require_whole();
+    void clear_free_positions() noexcept {
+        for (const Index i : free_indices_) strategy_->clear_position(i);
+    }
     void rebuild_all(std::span<const Point> x, Move_result& report);
     [[nodiscard]] Index vertex_at(const Point& p, std::size_t bound) const;
     [[noreturn]] void throw_taken(const Point& p, std::size_t bound) const;
@@ -84,6 +89,8 @@ class Engine {
     void make_trusted(Move_result& report);
     template <class Call>
     void listing_changes(Move_result& report, std::span<const Index> movers, Call call);
+    template <class Call>
+    void listing_all_changes(Move_result& report, Call call);
 
     Options options_;
     Delaunay_mesh<d>& mesh_;

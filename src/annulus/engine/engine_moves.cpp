@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace annulus::inline v1 {
 
@@ -47,8 +46,8 @@ Move_result Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     if (indices.size() != points.size())
         throw Error(Error_code::wrong_size,
                     std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
-    for (const Index i : indices) require_vertex(i);
-    for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
+    require_vertices(indices);
+    require_in_domain(points, "vertex", [&](std::size_t k) { return indices[k]; });
     Move_result report;
     const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change meanwhile
     guarded_moves(indices, targets,
@@ -150,15 +149,12 @@ Move_result Engine<d>::move_all(std::span<const Point> points) {
                                                 std::to_string(points.size()));
     // Strategies that repair whole time steps read every position anyway, and check it themselves.
     if (!strategy_->repairs() || strategy_->is_sequential() || mesh_.dimension() != d)
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
+        require_in_domain(points, "vertex", [this](std::size_t i) {
+            return is_vertex(static_cast<Index>(i)) ? static_cast<Index>(i) : none;
+        });
     Move_result report;
-    std::vector<Index> movers;
-    if (change_log_) {
-        movers.resize(points.size());
-        std::iota(movers.begin(), movers.end(), Index{0});
-    }
-    guarded_moves({}, points, [&] { listing_changes(report, movers, [&] { move_everything(points, report); }); });
+    guarded_moves({}, points, [&] { listing_all_changes(report, [&] { move_everything(points, report); }); });
+    clear_free_positions();
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include <annulus/engine/update_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
+#include <limits>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -35,6 +36,7 @@ class Rebuild_strategy : public Update_strategy<d> {
     }
     void truncate(std::size_t bound) override { position_.resize(bound); }
     void restore_position(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
+    void clear_position(Index v) noexcept override { position_[at(v)].fill(std::numeric_limits<double>::quiet_NaN()); }
 
     void begin_transaction(std::span<const Coordinates<d>>, Move_result&) override { saved_ = position_; }
     void commit_transaction(Move_result&) override { saved_.clear(); }

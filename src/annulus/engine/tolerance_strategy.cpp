@@ -46,8 +46,7 @@ bool Tolerance_strategy<d>::find_failed(Step<d>& step) const {
 /// Positions at free indices do not count.
 template <int d>
 void Tolerance_strategy<d>::require_domain(std::span<const Coordinates<d>> x) const {
-    for (std::size_t v = 0; v < x.size(); ++v)
-        if (is_present(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
+    require_in_domain(x, "vertex", [this](std::size_t v) { return is_present(v) ? static_cast<Index>(v) : none; });
 }
 
 /// Whether finding what expired would already cost a good part of what repair may cost.

@@ -10,6 +10,7 @@
 #include <annulus/engine/update_strategy.h>
 #include <annulus/options.h>
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -79,6 +80,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     /// Vertex v has position p, moving and fixed.
     void add_vertex(Index v, const Coordinates<d>& p) override;
     void restore_position(Index v, const Coordinates<d>& p) noexcept override;
+    void clear_position(Index v) noexcept override { position_[at(v)].fill(std::numeric_limits<double>::quiet_NaN()); }
     [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
         position_.resize(bound);
         return position_;

@@ -68,6 +68,8 @@ class Update_strategy {
     /// After either, a rebuild and `begin` must follow.
     virtual void truncate(std::size_t bound) = 0;
     virtual void restore_position(Index v, const Coordinates<d>& p) noexcept = 0;
+    /// v is no vertex any more: from now on its position is NaN.
+    virtual void clear_position(Index v) noexcept = 0;
 
     // A time step of single moves, which is undone as a whole when one of them is refused.
     /// Saves the present state. x are the targets of the vertices.

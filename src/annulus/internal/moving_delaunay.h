@@ -173,11 +173,13 @@ class Moving_delaunay {
             throw Error(Error_code::unknown_vertex, "the handle names no vertex of this triangulation");
         return i;
     }
-    /// The vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged.
+    /// The vertex index of every input point; differs from 0, 1, 2 ... only where duplicates were merged. Valid as long
+    /// as this object, also if it is moved, and until it is assigned to.
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return mesh_.vertex_of_input(); }
 
     [[nodiscard]] Point position(Vertex_handle v) const { return View::point(positions()[at(index(v))]); }
-    /// Positions by index; those at free indices are unspecified.
+    /// Positions by index, NaN at free indices. Valid until the next call of a member that is not const; it may be an
+    /// argument of that call.
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return mesh_.points(); }
     /// The position from which D is measured; for strategies without tolerances the position itself.
     [[nodiscard]] Point fixed_position(Vertex_handle v) const { return View::point(mesh_.fixed_position(index(v))); }

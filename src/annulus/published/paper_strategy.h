@@ -58,6 +58,7 @@ class Paper_strategy : public Rebuild_strategy<d> {
     void commit_transaction(Move_result& report) override;
     void rollback() noexcept override;
     void resume_at_delaunay_positions() override;
+    void clear_position(Index v) noexcept override;
     [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
         const bool at_fixed = has_switched() && (safe_region_ || tolerances_.kind() != Tolerance_kind::certified);
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();

@@ -54,6 +54,12 @@ void Paper_strategy<d>::compute_tolerances(Move_result& report) {
 
 /// A vertex that is beyond its tolerance is relocated when it moves next.
 template <int d>
+void Paper_strategy<d>::clear_position(Index v) noexcept {
+    Rebuild_strategy<d>::clear_position(v);
+    if (at(v) < state_.fixed.size()) state_.fixed[at(v)] = this->position_[at(v)];
+}
+
+template <int d>
 void Paper_strategy<d>::resume_at_delaunay_positions() {
     forget_queue();
     least_.clear();
