@@ -69,6 +69,15 @@ template <int d>
 Moving_mesh<d>& Moving_mesh<d>::operator=(Moving_mesh&&) noexcept = default;
 
 template <int d>
+Moving_mesh<d>::Moving_mesh(const Moving_mesh& other) : parts_(std::make_unique<Parts>(other.options())) {
+    parts_->changing().build_copy(other.parts_->engine);
+}
+template <int d>
+Moving_mesh<d>& Moving_mesh<d>::operator=(const Moving_mesh& other) {
+    return *this = Moving_mesh(other);
+}
+
+template <int d>
 Move_result Moving_mesh<d>::move(Index i, const Point& p) {
     return parts_->changing().move(i, p);
 }

@@ -42,6 +42,12 @@ class Moving_mesh {
     /// A moved-from object can only be destroyed or assigned to. O(1).
     Moving_mesh(Moving_mesh&&) noexcept;
     Moving_mesh& operator=(Moving_mesh&&) noexcept;
+    /// A copy with the same indices, free ones included, and options. It is built from the positions, so that it has
+    /// the same cells under other numbers, and computes its tolerances anew. O(n log n). Throws environment,
+    /// duplicate_point where tolerances that are not certified have let two positions coincide. Precondition: not a
+    /// moved-from object.
+    Moving_mesh(const Moving_mesh&);
+    Moving_mesh& operator=(const Moving_mesh&);
 
     /// As in Moving_delaunay.
     Move_result move(Index i, const Point& p);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules that hold in every language, as tables: what there is at a free index, what `threads` may be, defaults, the audit
-// of a single point. error_vertices_test.cpp has which vertices an error names; tests/c/rules.c and
+// Rules that hold in every language, as tables: what there is at a free index, what `threads` may be, defaults, the
+// audit of a single point. error_vertices_test.cpp has which vertices an error names; tests/c/rules.c and
 // python/tests/test_rules.py are the same tables.
 #include <engine/rules.h>
 

@@ -64,6 +64,22 @@ void Engine<d>::build(std::span<const Point> points) {
 }
 
 template <int d>
+void Engine<d>::build_copy(const Engine& other) {
+    const auto x = other.positions();
+    vertex_of_input_ = other.vertex_of_input_;
+    free_indices_ = other.free_indices_;
+    try {
+        mesh_.build(x, free_indices_);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, x, [&](Index i) { return other.is_vertex(i); }, "vertices", "have");
+    }
+    Move_result discarded;
+    strategy_->begin(x, discarded);
+    clear_free_positions();
+}
+
+template <int d>
 void Engine<d>::require_whole() {
     if (whole_) return;
     recover(index_bound(), none);

@@ -30,6 +30,8 @@ class Engine {
 
     /// Triangulates these points. Called once.
     void build(std::span<const Point> points);
+    /// In place of build(): takes the vertices of another engine, with their indices and its free ones.
+    void build_copy(const Engine& other);
 
     Move_result move(Index i, const Point& p);
     Move_result move(std::span<const Index> indices, std::span<const Point> points);
