@@ -88,12 +88,12 @@ void time_steps(benchmark::State& state, Strategy strategy) {
     for (std::uint64_t k = 0; k < 16; ++k) frames.push_back(shaken(k == 0 ? x : frames.back(), reach, k + 2));
     for (std::size_t k = frames.size() - 1; k-- > 1;) frames.push_back(frames[k]);  // and back again
     std::size_t frame = 0;
-    Move_report report;
+    Move_result report;
     for (auto _ : state) report += dt.move_all(frames[frame++ % frames.size()]);
     vertices(state);
     const double moved = static_cast<double>(report.moves.asked);
-    state.counters["evaluated"] = static_cast<double>(report.evaluated) / moved;
-    state.counters["flips"] = static_cast<double>(report.flips) / moved;
+    state.counters["evaluated"] = static_cast<double>(report.statistics.evaluated) / moved;
+    state.counters["flips"] = static_cast<double>(report.statistics.flips) / moved;
 }
 
 void displacements(benchmark::internal::Benchmark* b) {

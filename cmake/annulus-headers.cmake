@@ -8,7 +8,7 @@ set(annulus_plain_headers
     degeneracy.h
     error.h
     mesh_cells.h
-    move_report.h
+    move_result.h
     moving_mesh.h
     options.h
     predicates.h
@@ -28,11 +28,14 @@ set(annulus_view_headers
     internal/mesh_access.h
     internal/moving_delaunay.h
     internal/no_info.h
+    internal/originals.h
+    internal/traits.h
     internal/traits_2.h
     internal/traits_3.h
     internal/types_2.h
     internal/types_3.h
     internal/update.h
+    internal/vertex_numbers.h
     internal/view.h
     internal/view_2.h
     internal/view_3.h

@@ -14,8 +14,8 @@ int main() {
     std::vector<annulus::Coordinates<3>> points(mesh.points().begin(), mesh.points().end());
     for (int step = 0; step < 5; ++step) {
         for (auto& p : points) p[0] += 0.002 * std::sin(9 * p[1]);
-        const annulus::Move_report report = mesh.move_all(points);
-        std::cout << report.flips << " flips, " << report.moves.within_tolerance << " within tolerance\n";
+        const annulus::Move_result report = mesh.move_all(points);
+        std::cout << report.statistics.flips << " flips, " << report.moves.within_tolerance << " within tolerance\n";
     }
     const annulus::Mesh_cells<3> cells = mesh.cells();  // four vertices a cell, and the cell opposite to each of them
     std::cout << cells.vertices.size() << " tetrahedra, the first one has vertices " << cells.vertices[0][0] << ", "

@@ -17,9 +17,9 @@ int main() {
 
     for (int step = 0; step < 3; ++step) {
         for (Point& p : points) p = Point(p.x() + 0.01 * std::sin(p.y()), p.y());  // a gentle shear
-        const annulus::Move_report report = dt.move_all(points);
+        const annulus::Move_result report = dt.move_all(points);
         std::cout << report.moves.within_tolerance << " within tolerance, " << report.moves.kept_in_place
-                  << " kept in place, " << report.moves.flipped << " flipped; " << report.evaluated
+                  << " kept in place, " << report.moves.flipped << " flipped; " << report.statistics.evaluated
                   << " certificates evaluated\n";
     }
     dt.move(dt.vertex(500), Point(40, 40));  // handles stay valid wherever a vertex goes

@@ -135,15 +135,15 @@ class Repetition {
                     const auto before = w_.points();
                     w_.walk(scale * s, share);
                     const double expiring = share == 1 && k >= 3 ? certificates * expiring_share(before) : 0.0;
-                    Move_report report;
+                    Move_result report;
                     const double t = seconds([&] { report = w_.step(); });
-                    if (report.tolerance_steps != 1 || report.tolerance_recomputations != 0 ||
+                    if (report.statistics.tolerance_steps != 1 || report.statistics.tolerance_recomputations != 0 ||
                         report.moves.rebuilt != 0 || !w_.strategy().keeps_tolerances())
                         break;
                     if (k < 3) continue;  // nothing fails just after tolerances were recomputed
                     const auto failed = static_cast<double>(report.moves.asked - report.moves.within_tolerance);
                     factor.add(Cost_model<d>::failure * failed +
-                                   Cost_model<d>::evaluation * static_cast<double>(report.evaluated),
+                                   Cost_model<d>::evaluation * static_cast<double>(report.statistics.evaluated),
                                (t - pass_) / unit_);
                     sum += t / unit_;
                     expiries += expiring;
@@ -188,9 +188,9 @@ class Repetition {
         double hold = 1e9;
         for (int k = 0; k < 6; ++k) {  // the eighth step tests whether tolerances would pay
             w_.walk(1e-9);
-            Move_report report;
+            Move_result report;
             const double t = seconds([&] { report = w_.step(); });
-            if (report.sign_steps == 1 && report.tolerance_recomputations == 0) hold = std::min(hold, t);
+            if (report.statistics.sign_steps == 1 && report.statistics.tolerance_recomputations == 0) hold = std::min(hold, t);
         }
         out_["signs"] = vertex(hold);
         Factor factor;
@@ -199,9 +199,9 @@ class Repetition {
                 w_.walk(d == 2 ? 2.0 * s : s);
                 const Sample sample =
                     annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
-                Move_report report;
+                Move_result report;
                 const double t = seconds([&] { report = w_.step(); });
-                if (report.sign_steps != 1 || report.tolerance_recomputations != 0 || report.moves.rebuilt != 0)
+                if (report.statistics.sign_steps != 1 || report.statistics.tolerance_recomputations != 0 || report.moves.rebuilt != 0)
                     continue;
                 const double scale =
                     out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));

@@ -41,8 +41,8 @@ std::vector<bench::Points<d>> way(Workbench<d>& w, double spacings) {
 }
 
 template <int d>
-Move_report follow(Workbench<d>& w, const std::vector<bench::Points<d>>& way) {
-    Move_report report;
+Move_result follow(Workbench<d>& w, const std::vector<bench::Points<d>>& way) {
+    Move_result report;
     for (const auto& x : way) w.strategy().move_all(x, report);
     return report;
 }
@@ -81,7 +81,7 @@ void loops(std::size_t n) {
     count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).flips); });
 
     w.recompute_tolerances();
-    Move_report report;
+    Move_result report;
     const double reach = 0.01 * w.spacing();
     count(d, "one vertex by 0.01 spacings", "move", [&] {
         for (std::size_t k = 0; k < 500; ++k) {

@@ -27,7 +27,7 @@ class Workbench {
         mesh_ = std::make_unique<Mesh>();
         mesh_->build(x_);
         strategy_ = std::make_unique<annulus::Tolerance_strategy<d>>(*mesh_);
-        annulus::Move_report report;
+        annulus::Move_result report;
         strategy_->begin(x_, report);
     }
 
@@ -42,8 +42,8 @@ class Workbench {
         for (std::size_t i = share == 1 ? 0 : random_.bits() % share; i < x_.size(); i += share)
             for (double& c : x_[i]) c += spacings * spacing_ * random_.normal() / std::sqrt(static_cast<double>(d));
     }
-    annulus::Move_report step() {
-        annulus::Move_report report;
+    annulus::Move_result step() {
+        annulus::Move_result report;
         strategy_->move_all(x_, report);
         return report;
     }
@@ -55,7 +55,7 @@ class Workbench {
         }
     }
     void recompute_tolerances() {
-        annulus::Move_report report;
+        annulus::Move_result report;
         strategy_->recompute_tolerances(x_, report);
     }
 

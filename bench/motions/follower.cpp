@@ -17,22 +17,22 @@ namespace {
 using namespace annulus;
 
 template <int d>
-Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p, Move_report& report) {
+Index insert(Moving_mesh<d>& mesh, const Coordinates<d>& p, Move_result& report) {
     return mesh.insert(p, &report);
 }
-Index insert(Moving_delaunay_2& object, const Coordinates<2>& p, Move_report& report) {
+Index insert(Moving_delaunay_2& object, const Coordinates<2>& p, Move_result& report) {
     return object.index(object.insert({p[0], p[1]}, &report));
 }
-Index insert(Moving_delaunay_3& object, const Coordinates<3>& p, Move_report& report) {
+Index insert(Moving_delaunay_3& object, const Coordinates<3>& p, Move_result& report) {
     return object.index(object.insert({p[0], p[1], p[2]}, &report));
 }
 
 template <int d>
-void remove(Moving_mesh<d>& mesh, Index i, Move_report& report) {
+void remove(Moving_mesh<d>& mesh, Index i, Move_result& report) {
     mesh.remove(i, &report);
 }
 template <class Object>
-void remove(Object& object, Index i, Move_report& report) {
+void remove(Object& object, Index i, Move_result& report) {
     object.remove(object.vertex(static_cast<std::size_t>(i)), &report);
 }
 
@@ -42,10 +42,10 @@ class Object_follower final : public Follower<d> {
     Object_follower(const Points<d>& x, const Options& options, bool view)
         : object_(std::span<const Coordinates<d>>(x), options), view_(view) {}
 
-    double follow(const Motion<d>& motion, Stopwatch watch, Move_report& report) override {
+    double follow(const Motion<d>& motion, Stopwatch watch, Move_result& report) override {
         std::vector<Index> arrivals;
         arrivals.reserve(motion.arrive().size());
-        Move_report one;
+        Move_result one;
         const double begin = watch.seconds();
         for (const Index i : motion.leave()) remove(object_, i, one);
         report = object_.move_all(std::span<const Coordinates<d>>(motion.points()));

@@ -4,7 +4,7 @@
 #include "motion.h"
 #include "stopwatch.h"
 
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <memory>
@@ -18,7 +18,7 @@ class Follower {
   public:
     virtual ~Follower() = default;
     /// One time step: removals, the move of all, insertions. Returns the time.
-    virtual double follow(const Motion<d>& motion, Stopwatch watch, annulus::Move_report& report) = 0;
+    virtual double follow(const Motion<d>& motion, Stopwatch watch, annulus::Move_result& report) = 0;
     [[nodiscard]] virtual bool is_delaunay() const = 0;
 };
 

@@ -22,7 +22,7 @@ struct Runner {
     std::unique_ptr<Follower<d>> follower;
     double construction = 0.0;
     std::vector<double> seconds;
-    Move_report report;
+    Move_result report;
     int failed_audits = 0;
 };
 
@@ -65,7 +65,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
                 continue;
             }
             Runner<d>& r = runners[who];
-            Move_report report;
+            Move_result report;
             const double s = r.follower->follow(motion, watch, report);
             if (!counts) continue;
             r.seconds.push_back(s);
@@ -100,7 +100,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
         std::printf(" | %s %.0f ns, ratio %.2f, of sums %.2f, most expensive %.2f%s", r.name.c_str(), quantile(ns, 0.5),
                     quantile(ratio, 0.5), whole, quantile(cost, 1.0), r.failed_audits != 0 ? " AUDIT FAILED" : "");
         if (share(r.report.moves.rebuilt) > 0.0) std::printf(", rebuilt %.2f", share(r.report.moves.rebuilt));
-        std::printf(", flips %.3f, again %.4f", share(r.report.flips), share(r.report.moves.reinserted));
+        std::printf(", flips %.3f, again %.4f", share(r.report.statistics.flips), share(r.report.moves.reinserted));
         out[r.name] = {{"ns", quantile(ns, 0.5)},
                        {"ratio", quantile(ratio, 0.5)},
                        {"whole", whole},
@@ -110,9 +110,9 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
                        {"construction_ns", 1e9 * r.construction / quantile(count, 0.5)},
                        {"rebuilt", share(r.report.moves.rebuilt)},
                        {"within_tolerance", share(r.report.moves.within_tolerance)},
-                       {"flips", share(r.report.flips)},
-                       {"evaluated", share(r.report.evaluated)},
-                       {"exact", share(r.report.arithmetic.exact)},
+                       {"flips", share(r.report.statistics.flips)},
+                       {"evaluated", share(r.report.statistics.evaluated)},
+                       {"exact", share(r.report.statistics.arithmetic.exact)},
                        {"reinserted", share(r.report.moves.reinserted)},
                        {"audit", r.failed_audits == 0}};
     }

@@ -57,7 +57,7 @@ struct Follower {
     std::unique_ptr<Moving> dt;
     double seconds = 0.0;  // of the time steps that were followed
     std::uint64_t followed = 0;
-    Move_report report;
+    Move_result report;
 };
 
 /// Each cell's vertices in order, the cells in order: equal for equal triangulations.
@@ -104,7 +104,7 @@ int run(Motion& motion, std::uint64_t iterations, const Choice& choice, ordered_
                     continue;
                 }
                 const double begin = watch.seconds();
-                const Move_report report = f.dt->move_all(std::span<const Coordinates<d>>(block[i]));
+                const Move_result report = f.dt->move_all(std::span<const Coordinates<d>>(block[i]));
                 f.seconds += watch.seconds() - begin;
                 f.report += report;
             }

@@ -110,13 +110,13 @@ std::string Coverage::words(std::string_view prefix) const {
     line("flipped", report.moves.flipped);
     line("reinserted", report.moves.reinserted);
     line("rebuilt", report.moves.rebuilt);
-    line("flips", report.flips);
-    line("undone_flips", report.undone_flips);
-    line("star_walks", report.star_walks);
-    line("requeued", report.requeued);
-    line("decided_by_filter", report.arithmetic.filter);
-    line("decided_by_interval", report.arithmetic.interval);
-    line("decided_by_exact", report.arithmetic.exact);
+    line("flips", report.statistics.flips);
+    line("undone_flips", report.statistics.undone_flips);
+    line("star_walks", report.statistics.star_walks);
+    line("requeued", report.statistics.requeued);
+    line("decided_by_filter", report.statistics.arithmetic.filter);
+    line("decided_by_interval", report.statistics.arithmetic.interval);
+    line("decided_by_exact", report.statistics.arithmetic.exact);
     line("switches_of_paper_hybrid", switches);
     return out.str();
 }

@@ -9,7 +9,7 @@
 // and remains legal when it is shrunk.
 
 #include <annulus/error.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <algorithm>
@@ -218,7 +218,7 @@ struct Coverage {
     std::uint64_t legal_operations = 0;  ///< of these: what the model expects to be accepted
     std::uint64_t calls = 0;             ///< of the library
     std::array<std::uint64_t, 32> refused{};  ///< by error code
-    Move_report report;                       ///< of all calls that were accepted
+    Move_result report;                       ///< of all calls that were accepted
     std::uint64_t switches = 0;               ///< of paper-hybrid to paper
 
     Coverage& operator+=(const Coverage& o);

@@ -46,11 +46,11 @@ std::string difference(const State_of<d>& before, const State_of<d>& after, bool
 }
 
 /// Empty, or how a report contradicts itself.
-std::string report_fault(const Move_report& r) {
+std::string report_fault(const Move_result& r) {
     const Move_counts& m = r.moves;
     if (m.asked != m.within_tolerance + m.kept_in_place + m.flipped + m.reinserted + m.rebuilt)
         return "the counts of a report do not add up to asked";
-    if (r.evaluated != r.arithmetic.total()) return "evaluated is not the sum of the stages";
+    if (r.statistics.evaluated != r.statistics.arithmetic.total()) return "evaluated is not the sum of the stages";
     return {};
 }
 

@@ -49,7 +49,7 @@ class Session_of {
 
     [[nodiscard]] Moving& dt() { return *dt_; }
     [[nodiscard]] const Sites_of<d>& sites() const { return sites_; }
-    [[nodiscard]] const Move_report& last() const { return last_; }  ///< of the last call
+    [[nodiscard]] const Move_result& last() const { return last_; }  ///< of the last call
     [[nodiscard]] const Coverage& coverage() const { return coverage_; }
 
     /// Makes the call and compares it with the model; a steady motion is many calls, checked after some of them.
@@ -88,7 +88,7 @@ class Session_of {
     std::vector<typename Moving::Vertex_handle> handles_;
     std::vector<Index> free_indices_;
     typename Moving::Vertex_handle inserted_;
-    Move_report last_;
+    Move_result last_;
     Coverage coverage_;
     bool refused_ = false;
     bool wrecked_ = false;

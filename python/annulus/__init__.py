@@ -13,15 +13,15 @@ if not _core.in_main_interpreter():  # the main one has imported it before, and 
     raise ImportError("annulus works in the main interpreter only, and this is a subinterpreter")
 
 from . import predicates
-from ._core import MoveReport
+from ._core import MoveResult, MoveStatistics
 from ._core import version as __version__
 from ._error import Error, OpenBoundariesWarning
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
 from ._queries import AuditResult, Fault
 
-__all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult",
-           "OpenBoundariesWarning", "__version__", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
-           "predicates"]
+__all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveResult", "MoveStatistics",
+           "MovingDelaunay", "NodtResult", "OpenBoundariesWarning", "__version__", "audit", "counterexample",
+           "degeneracy", "lloyd", "nodt", "predicates"]
 
-MoveReport.__module__ = "annulus"
+MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

@@ -34,10 +34,11 @@ class Error(ValueError):
         ``bad_input``
             a file, a surface or a domain is not valid
     vertices : tuple of int
-        Indices of the vertices concerned, if they are known. For ``duplicate_point`` they are both vertices, the
-        smaller index first: rows of the input if a triangulation is constructed; only the existing vertex if a
-        point is inserted at its position; and none if two points to be inserted are equal, where the message has
-        their rows. Otherwise, the vertex or point whose position or index is refused.
+        All vertices concerned, ascending. For ``duplicate_point`` the vertices that would share a position, two or
+        more: rows of the input if a triangulation is constructed; the existing vertices if points are inserted at
+        their positions; and none if points to be inserted are equal, where the message has their rows. For
+        ``not_finite`` and ``out_of_domain`` every vertex, row or point that is refused; for ``unknown_vertex``
+        every index that is. Other errors concern none.
 
     Notes
     -----

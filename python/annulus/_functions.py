@@ -21,7 +21,7 @@ class LloydResult(typing.NamedTuple):
     points: NDArray[np.float64]
     mean_displacement: NDArray[np.float64]
     max_displacement: NDArray[np.float64]
-    report: _core.MoveReport
+    report: _core.MoveResult
 
 
 class NodtResult(typing.NamedTuple):
@@ -32,7 +32,7 @@ class NodtResult(typing.NamedTuple):
     on_surface: NDArray[np.bool_]
     mean_displacement: NDArray[np.float64]
     max_displacement: NDArray[np.float64]
-    report: _core.MoveReport
+    report: _core.MoveResult
 
 
 def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> AuditResult:
@@ -44,7 +44,8 @@ def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> Aud
     simplices : array_like of int, shape (m, d + 1)
         The corners of each simplex as rows of `points`, in any order, such as
         ``scipy.spatial.Delaunay(points).simplices``. Of points on a line or in a plane the edges or triangles, shape
-        (m, 2) or (m, 3).
+        (m, 2) or (m, 3). A single point, and no point, is a Delaunay triangulation without simplices, shape (0, d + 1);
+        any simplex is a fault then.
     max_faults : int, optional
         How many faults to list at most.
 

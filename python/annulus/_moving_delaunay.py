@@ -39,9 +39,11 @@ class MovingDelaunay(Queries):
         Merge duplicate points into one vertex (see `vertex_of_input`). By default they raise an `Error` with the
         code ``duplicate_point``.
     threads : int, optional
-        Number of threads for the parallel parts. Results do not depend on it.
+        Number of threads for the parallel parts, 1 or more. Results do not depend on it.
     report_changes : bool, optional
-        Whether reports list `changed_simplices` and `removed_simplices`.
+        Whether results of `move` list `changed_simplices` and `removed_simplices`. The default is False, as in C++
+        and C: a step in which no simplex changes costs the same with lists, but where most change, to sort them
+        may take longer than the step.
     seed : int, optional
         Seed of the sample that ``paper-hybrid`` draws.
 
@@ -87,7 +89,7 @@ class MovingDelaunay(Queries):
     _options: dict[str, typing.Any]
 
     def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
-                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
+                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = False,
                  seed: int = 0) -> None:
         options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
         array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
@@ -103,7 +105,7 @@ class MovingDelaunay(Queries):
 
     # ---- Changes -----------------------------------------------------------------------------
 
-    def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveReport:
+    def move(self, points: ArrayLike, indices: ArrayLike | None = None) -> _core.MoveResult:
         """Moves all or some vertices at the same time.
 
         Parameters
@@ -112,11 +114,13 @@ class MovingDelaunay(Queries):
             The new positions. Rows of free indices are ignored.
         indices : array_like of int, shape (k,), optional
             Indices of the vertices to move; all of them by default. If an index occurs twice, its last row counts.
+            They are the second argument because they may be left out; in C++ and C indices come before points.
 
         Returns
         -------
-        MoveReport
-            What happened to the vertices, what was computed, and the simplices that were created and removed.
+        MoveResult
+            What became of the vertices, and the simplices that were created and removed; its `statistics` say what
+            the call cost.
 
         Raises
         ------
@@ -170,7 +174,7 @@ class MovingDelaunay(Queries):
         """
         self._mesh.remove(indices)
 
-    def recompute_tolerances(self) -> _core.MoveReport:
+    def recompute_tolerances(self) -> _core.MoveResult:
         """Computes every tolerance again, measured from the current positions of the vertices. O(n)."""
         return self._mesh.recompute_tolerances()
 

@@ -54,9 +54,15 @@ def audit_result_of(values: tuple[bool, int, int, int, int, int, str,
     return AuditResult(*values[:-1], tuple(Fault(*fault) for fault in values[-1]))
 
 
-def report_of(state: tuple[dict[str, typing.Any], int, Indices | None]) -> _core.MoveReport:
-    """Creates a `MoveReport` from its pickled state."""
-    return _core.report_of(state)
+def result_of(state: tuple[dict[str, typing.Any], dict[str, typing.Any], int, Indices | None,
+                           Indices | None]) -> _core.MoveResult:
+    """Creates a `MoveResult` from its pickled state."""
+    return _core.result_of(state)
+
+
+def statistics_of(state: dict[str, typing.Any]) -> _core.MoveStatistics:
+    """Creates a `MoveStatistics` from its pickled state."""
+    return _core.statistics_of(state)
 
 
 class Queries:

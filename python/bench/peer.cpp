@@ -32,10 +32,10 @@ int follow(const char* file, std::size_t n, const annulus::Options& options) {
     annulus::Moving_mesh<d> mesh(std::span<const annulus::Coordinates<d>>(x), options);
     while (next()) {
         const double begin = processor_seconds();
-        const annulus::Move_report report = mesh.move_all(x);
+        const annulus::Move_result report = mesh.move_all(x);
         const double end = processor_seconds();
         const double seconds = 2 * end - begin - processor_seconds();
-        std::printf("%.9f %llu\n", seconds, static_cast<unsigned long long>(report.flips));
+        std::printf("%.9f %llu\n", seconds, static_cast<unsigned long long>(report.statistics.flips));
     }
     return 0;
 }

@@ -111,13 +111,16 @@ std::vector<Index> indices_from(const py::array& any) {
     const auto numbers = converted<T>(any);
     std::vector<Index> out;
     out.reserve(static_cast<std::size_t>(numbers.size()));
+    std::vector<std::int64_t> beyond;
     for (py::ssize_t k = 0; k < numbers.size(); ++k) {
         const T i = numbers.data()[k];
-        if (!std::in_range<Index>(i) || i < 0)
-            throw Error(Error_code::unknown_vertex, "indices: no vertex has index " + std::to_string(i));
-        out.push_back(static_cast<Index>(i));
+        if (std::in_range<Index>(i)) out.push_back(static_cast<Index>(i));  // the mesh refuses negative ones
+        else beyond.push_back(std::in_range<std::int64_t>(i) ? static_cast<std::int64_t>(i) : INT64_MAX);
     }
-    return out;
+    if (beyond.empty()) return out;
+    std::sort(beyond.begin(), beyond.end());
+    beyond.erase(std::unique(beyond.begin(), beyond.end()), beyond.end());
+    throw Error(Error_code::unknown_vertex, "indices: no vertex has index " + std::to_string(beyond.front()), beyond);
 }
 
 }  // namespace
@@ -152,7 +155,7 @@ std::vector<std::array<Index, 3>> triangles_of(const py::object& object, std::si
             const std::int64_t v = numbers.data()[3 * k + i];
             if (v < 0 || static_cast<std::uint64_t>(v) >= points)
                 throw Error(Error_code::unknown_vertex,
-                            "surface: triangle " + std::to_string(k) + " names point " + std::to_string(v));
+                            "surface: triangle " + std::to_string(k) + " names point " + std::to_string(v), {v});
             out[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] = static_cast<Index>(v);
         }
     return out;

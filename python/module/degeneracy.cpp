@@ -8,6 +8,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
+#include <annulus/engine/naming_duplicates.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <apps/report/degeneracy_report.h>
 
@@ -29,14 +30,14 @@ std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, boo
     const auto first_at = [&](std::size_t i) {
         return std::find(points.begin(), points.end(), points[i]) - points.begin();
     };
+    require_in_domain(points, "point");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
         if (seen.add(points[i])) out.push_back(points[i]);
         else if (!merge_duplicates)
             throw Error(Error_code::duplicate_point,
                         "points " + std::to_string(first_at(i)) + " and " + std::to_string(i) +
                             " have the same position (merge_duplicates=True counts such once)",
-                        {static_cast<std::int64_t>(first_at(i)), static_cast<std::int64_t>(i)});
+                        sharing<d>(points, static_cast<Index>(i), [](Index) { return true; }));
     }
     return out;
 }

@@ -15,9 +15,9 @@ namespace annulus::python {
 /// What a run of a motion returns about its steps.
 struct History {
     std::vector<double> mean, max;  ///< displacements, by step
-    Move_report total;
+    Move_result total;
 
-    void add(double mean_displacement, double max_displacement, const Move_report& report) {
+    void add(double mean_displacement, double max_displacement, const Move_result& report) {
         mean.push_back(mean_displacement);
         max.push_back(max_displacement);
         total += report;

@@ -30,18 +30,18 @@ std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
                     "domain '" + name + "' is none; there are disc, square, and the corners of a convex polygon");
     }
     const Points_in<2> corners(domain, "domain");
-    for (std::size_t i = 0; i < corners.span().size(); ++i)
-        require_in_domain(corners.span()[i], "corner", static_cast<std::int64_t>(i));
+    require_in_domain(corners.span(), "corner");
     return Domain_2::polygon(corners.span());
 }
 
 std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std::span<const Coordinates<2>> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
-        if (domain && !domain->contains(points[i]))
-            throw Error(Error_code::out_of_domain, "point " + std::to_string(i) + " is outside of the domain",
-                        {static_cast<std::int64_t>(i)});
-    }
+    require_in_domain(points, "point");
+    std::vector<std::int64_t> outside;
+    for (std::size_t i = 0; domain && i < points.size(); ++i)
+        if (!domain->contains(points[i])) outside.push_back(static_cast<std::int64_t>(i));
+    if (!outside.empty())
+        throw Error(Error_code::out_of_domain, "point " + std::to_string(outside.front()) + " is outside of the domain",
+                    outside);
     return {points.begin(), points.end()};
 }
 
@@ -64,8 +64,8 @@ void iterate(const Domain_2& domain, Density density, std::int64_t iterations, c
     for (std::int64_t i = 0; i < iterations; ++i) {
         if (changed) read_stars(dt, stars);
         const Lloyd_step step = lloyd.step(stars, dt.points(), points, memory);
-        const Move_report report = dt.move_all(std::span<const Coordinates<2>>(points));
-        changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+        const Move_result report = dt.move_all(std::span<const Coordinates<2>>(points));
+        changed = report.statistics.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
         history.add(step.mean_displacement, step.max_displacement, report);
         if (!goes_on(callback, history)) return;
     }

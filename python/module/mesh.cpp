@@ -8,6 +8,7 @@
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/engine/naming_duplicates.h>
+#include <annulus/engine/require_removable.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +75,10 @@ Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const
 /// ones that are right, too.
 template <int d>
 template <class Call>
-Move_report Mesh<d>::changing(Call call) {
+Move_result Mesh<d>::changing(Call call) {
     return locked([&] {
         require_sound_environment();  // another module may have changed it
-        Move_report report;
+        Move_result report;
         try {
             call(report);
         } catch (...) {
@@ -90,41 +91,44 @@ Move_report Mesh<d>::changing(Call call) {
 }
 
 template <int d>
-Move_report Mesh<d>::move(const Points_in<d>& points) {
-    return changing([&](Move_report& report) { report = mesh_.move_all(points.span()); });
+Move_result Mesh<d>::move(const Points_in<d>& points) {
+    return changing([&](Move_result& report) { report = mesh_.move_all(points.span()); });
 }
 
 template <int d>
-Move_report Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>& points) {
-    return changing([&](Move_report& report) { report = mesh_.move(indices, points.span()); });
+Move_result Mesh<d>::move(const std::vector<Index>& indices, const Points_in<d>& points) {
+    return changing([&](Move_result& report) { report = mesh_.move(indices, points.span()); });
 }
 
 template <int d>
-Move_report Mesh<d>::recompute_tolerances() {
-    return changing([&](Move_report& report) { report = mesh_.recompute_tolerances(); });
+Move_result Mesh<d>::recompute_tolerances() {
+    return changing([&](Move_result& report) { report = mesh_.recompute_tolerances(); });
 }
 
 /// Throws unless the points are in the domain, are distinct, and none of them has the position of a vertex. O(n).
 template <int d>
 void Mesh<d>::require_free(std::span<const Point> points) const {
-    for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "point", static_cast<std::int64_t>(k));
+    require_in_domain(points, "point");
     if (points.size() < 2) return;  // the mesh checks a single point itself, at lower cost
     const Point_set<d> fresh(points);
     if (fresh.size() < points.size()) throw_equal<d>(points);
     const auto x = mesh_.points();
+    std::vector<std::int64_t> there;
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i]))
-            throw Error(Error_code::duplicate_point,
-                        "vertex " + std::to_string(i) + " has the position of point " +
-                            std::to_string(std::find(points.begin(), points.end(), x[i]) - points.begin()) +
-                            " to be inserted",
-                        {static_cast<std::int64_t>(i)});
+        if (mesh_.is_vertex(static_cast<Index>(i)) && fresh.has(x[i])) there.push_back(static_cast<std::int64_t>(i));
+    if (there.empty()) return;
+    const auto first = static_cast<std::size_t>(there.front());
+    throw Error(Error_code::duplicate_point,
+                "vertex " + std::to_string(first) + " has the position of point " +
+                    std::to_string(std::find(points.begin(), points.end(), x[first]) - points.begin()) +
+                    " to be inserted",
+                std::move(there));
 }
 
 template <int d>
 std::vector<Index> Mesh<d>::insert(const Points_in<d>& points) {
     std::vector<Index> indices;
-    (void)changing([&](Move_report&) {
+    (void)changing([&](Move_result&) {
         require_free(points.span());
         indices.reserve(points.span().size());
         free_indices_.reserve(free_indices_.size() + points.span().size());
@@ -154,15 +158,8 @@ void Mesh<d>::remove_one(Index i) {
 
 template <int d>
 void Mesh<d>::remove(const std::vector<Index>& indices) {
-    (void)changing([&](Move_report&) {
-        std::vector<Index> once = indices;
-        std::sort(once.begin(), once.end());
-        for (std::size_t k = 0; k < once.size(); ++k)
-            if (!mesh_.is_vertex(once[k]) || (k > 0 && once[k] == once[k - 1]))
-                throw Error(Error_code::unknown_vertex,
-                            mesh_.is_vertex(once[k]) ? "vertex " + std::to_string(once[k]) + " is to be removed twice"
-                                                     : "no vertex has index " + std::to_string(once[k]),
-                            {once[k]});
+    (void)changing([&](Move_result&) {
+        require_removable(std::span<const Index>(indices), [this](Index i) { return mesh_.is_vertex(i); });
         free_indices_.reserve(free_indices_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
     });

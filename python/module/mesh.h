@@ -31,13 +31,13 @@ class Mesh {
     /// freed last at the end.
     Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const Options& options);
 
-    Move_report move(const Points_in<d>& points);
-    Move_report move(const std::vector<Index>& indices, const Points_in<d>& points);
+    Move_result move(const Points_in<d>& points);
+    Move_result move(const std::vector<Index>& indices, const Points_in<d>& points);
     /// Inserts all points or none; if memory runs out half way, there may be more free indices than before.
     std::vector<Index> insert(const Points_in<d>& points);
     /// Removes all vertices or none, unless memory runs out half way.
     void remove(const std::vector<Index>& indices);
-    Move_report recompute_tolerances();
+    Move_result recompute_tolerances();
 
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
@@ -69,7 +69,7 @@ class Mesh {
     template <class Call>
     auto locked(Call call) const;
     template <class Call>
-    Move_report changing(Call call);
+    Move_result changing(Call call);
     template <class Value>
     [[nodiscard]] std::vector<double> by_vertex(Value value) const;
     /// Precondition: this thread holds the lock.

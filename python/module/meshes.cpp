@@ -48,7 +48,7 @@ py::array flat_simplices(const Mesh<d>& mesh) {
 template <int d>
 void add_mesh(py::module_& m, const char* name) {
     using M = Mesh<d>;
-    const auto report = [](const M& mesh, Move_report r) {
+    const auto report = [](const M& mesh, Move_result r) {
         return Report(std::move(r), d, mesh.options().report_changes);
     };
     py::class_<M>(m, name, not_by_new())

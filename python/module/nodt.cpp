@@ -79,8 +79,9 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
     Nodt_memory memory;
     for (std::int64_t i = 0; i < iterations; ++i) {
         const Nodt_step step = nodt.step(kept, dt.points(), out.points, memory);
-        const Move_report report = dt.move_all(std::span<const Coordinates<3>>(out.points));
-        const bool changed = report.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
+        const Move_result report = dt.move_all(std::span<const Coordinates<3>>(out.points));
+        const bool changed =
+            report.statistics.flips + report.moves.reinserted + report.moves.rebuilt + report.moves.flipped > 0;
         read_cells(dt, changed, domain, options.threads, kept);
         history.add(step.mean_displacement, step.max_displacement, report);
         if (!goes_on(callback, history)) break;

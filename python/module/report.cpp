@@ -9,53 +9,107 @@ namespace annulus::python {
 
 namespace {
 
+/// A count: its name, an attribute, a key of as_dict, and pickled.
+template <class Counts>
 struct Field {
     const char* name;
     const char* doc;
-    std::uint64_t& (*of)(Move_report&);
+    std::uint64_t& (*of)(Counts&);
 };
 
-/// In the order of move_report.h. Every name here is an attribute, a key of as_dict, and pickled.
-constexpr Field fields[] = {
+/// In the order of move_result.h.
+constexpr Field<Move_counts> counts[] = {
     {"asked", "int: vertices that the call was to move; the next five add up to it.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.asked; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.asked; }},
     {"within_tolerance", "int: vertices proved by their tolerance alone, or at rest: nothing was evaluated.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.within_tolerance; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.within_tolerance; }},
     {"kept_in_place", "int: vertices whose certificates were evaluated and hold.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.kept_in_place; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.kept_in_place; }},
     {"flipped", "int: vertices with a violated certificate that flips repaired.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.flipped; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.flipped; }},
     {"reinserted", "int: vertices that were removed and inserted again.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.reinserted; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.reinserted; }},
     {"rebuilt", "int: vertices of a triangulation that was rebuilt.",
-     [](Move_report& r) -> std::uint64_t& { return r.moves.rebuilt; }},
-    {"filter", "int: certificates decided by the filter, in doubles with a proved error bound.",
-     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.filter; }},
-    {"interval", "int: certificates decided in interval arithmetic.",
-     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.interval; }},
-    {"exact", "int: certificates decided in integers.",
-     [](Move_report& r) -> std::uint64_t& { return r.arithmetic.exact; }},
-    {"evaluated", "int: certificates evaluated.", [](Move_report& r) -> std::uint64_t& { return r.evaluated; }},
-    {"star_walks", "int: vertices all of whose certificates had to be checked.",
-     [](Move_report& r) -> std::uint64_t& { return r.star_walks; }},
-    {"requeued", "int: vertices queued because another vertex lowered their tolerance (paper).",
-     [](Move_report& r) -> std::uint64_t& { return r.requeued; }},
-    {"flips", "int: flips that were kept.", [](Move_report& r) -> std::uint64_t& { return r.flips; }},
-    {"undone_flips", "int: flips undone because they led nowhere.",
-     [](Move_report& r) -> std::uint64_t& { return r.undone_flips; }},
-    {"tolerance_steps", "int: time steps that began with the tolerances.",
-     [](Move_report& r) -> std::uint64_t& { return r.tolerance_steps; }},
-    {"sign_steps", "int: time steps that began with the signs of all certificates.",
-     [](Move_report& r) -> std::uint64_t& { return r.sign_steps; }},
-    {"rebuild_steps", "int: time steps that were rebuilt at once (auto).",
-     [](Move_report& r) -> std::uint64_t& { return r.rebuild_steps; }},
-    {"tolerance_recomputations", "int: times that all tolerances were computed.",
-     [](Move_report& r) -> std::uint64_t& { return r.tolerance_recomputations; }},
+     [](Move_counts& c) -> std::uint64_t& { return c.rebuilt; }},
 };
 
-std::uint64_t value(const Field& field, const Move_report& report) {
-    return field.of(const_cast<Move_report&>(report));
+constexpr Field<Move_statistics> statistics[] = {
+    {"filter", "int: certificates decided by the filter, in doubles with a proved error bound.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.arithmetic.filter; }},
+    {"interval", "int: certificates decided in interval arithmetic.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.arithmetic.interval; }},
+    {"exact", "int: certificates decided in integers.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.arithmetic.exact; }},
+    {"evaluated", "int: certificates evaluated.", [](Move_statistics& s) -> std::uint64_t& { return s.evaluated; }},
+    {"star_walks", "int: vertices all of whose certificates had to be checked.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.star_walks; }},
+    {"requeued", "int: vertices queued because another vertex lowered their tolerance (paper).",
+     [](Move_statistics& s) -> std::uint64_t& { return s.requeued; }},
+    {"flips", "int: flips that were kept.", [](Move_statistics& s) -> std::uint64_t& { return s.flips; }},
+    {"undone_flips", "int: flips undone because they led nowhere.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.undone_flips; }},
+    {"tolerance_steps", "int: time steps that began with the tolerances.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.tolerance_steps; }},
+    {"sign_steps", "int: time steps that began with the signs of all certificates.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.sign_steps; }},
+    {"rebuild_steps", "int: time steps that were rebuilt at once (auto).",
+     [](Move_statistics& s) -> std::uint64_t& { return s.rebuild_steps; }},
+    {"tolerance_recomputations", "int: times that all tolerances were computed.",
+     [](Move_statistics& s) -> std::uint64_t& { return s.tolerance_recomputations; }},
+};
+
+template <class Counts>
+std::uint64_t value(const Field<Counts>& field, const Counts& from) {
+    return field.of(const_cast<Counts&>(from));
 }
+
+template <class Counts, std::size_t n>
+py::dict dict_of(const Field<Counts> (&fields)[n], const Counts& from) {
+    py::dict out;
+    for (const auto& f : fields) out[f.name] = value(f, from);
+    return out;
+}
+
+template <class Counts, std::size_t n>
+void read(const Field<Counts> (&fields)[n], const py::dict& numbers, Counts& to) {
+    for (const auto& f : fields) f.of(to) = numbers[f.name].template cast<std::uint64_t>();
+}
+
+/// Those that are not 0.
+template <class Counts, std::size_t n>
+py::str repr_of(const std::string& name, const Field<Counts> (&fields)[n], const Counts& from) {
+    std::string text = "<" + name + ":";
+    const char* comma = " ";
+    for (const auto& f : fields)
+        if (const std::uint64_t k = value(f, from); k > 0) {
+            text += comma + std::string(f.name) + " " + std::to_string(k);
+            comma = ", ";
+        }
+    return text + ">";
+}
+
+template <class Class, class Counts, std::size_t n, class Of>
+void add_fields(Class& c, const Field<Counts> (&fields)[n], Of of) {
+    for (const auto& f : fields)
+        c.def_property_readonly(
+            f.name, [&f, of](const typename Class::type& r) { return value(f, of(r)); }, f.doc);
+}
+
+py::dict statistics_dict(const Move_statistics& s) {
+    py::dict out = dict_of(statistics, s);
+    out["cost"] = s.cost;
+    return out;
+}
+
+Move_statistics statistics_of(const py::dict& numbers) {
+    Move_statistics s;
+    read(statistics, numbers, s);
+    s.cost = numbers["cost"].cast<double>();
+    return s;
+}
+
+/// A function written in Python, because pickle finds functions by name.
+py::object unpickler(const char* name) { return py::module_::import("annulus._queries").attr(name); }
 
 /// Keeps the simplices only: infinite cells and the cells of flat sets are none.
 void keep_simplices(std::vector<Index>& cells, int d) {
@@ -72,16 +126,16 @@ void keep_simplices(std::vector<Index>& cells, int d) {
 std::vector<Index> simplices_of_state(const py::handle& state, int d) {
     const py::array_t<Index, c_array> cells(py::reinterpret_borrow<py::object>(state));
     if (cells.ndim() != 2 || cells.shape(1) != d + 1)
-        throw Error(Error_code::bad_input, "this is not the state of a report");
+        throw Error(Error_code::bad_input, "this is not the state of a result");
     return {cells.data(), cells.data() + cells.size()};
 }
 
 }  // namespace
 
-Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
+Report::Report(Move_result report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
     keep_simplices(report.changed, d);
     keep_simplices(report.gone, d);
-    report_ = std::make_shared<const Move_report>(std::move(report));
+    report_ = std::make_shared<const Move_result>(std::move(report));
 }
 
 py::object Report::simplices(const std::vector<Index>& vertices) const {
@@ -90,74 +144,84 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
     return view<Index>(vertices.data(), {m, d_ + 1}, report_);
 }
 
-py::dict Report::as_dict() const {
-    py::dict out;
-    for (const Field& f : fields) out[f.name] = value(f, *report_);
-    out["cost"] = report_->cost;
-    return out;
+py::object Report::listed(const std::vector<Index>& vertices) const {
+    if (!lists_changes_)
+        throw Error(Error_code::usage, "simplices that changed are listed with report_changes=True only");
+    return simplices(vertices);
 }
 
-py::str Report::repr() const {
-    std::string text = "<MoveReport:";
-    const char* comma = " ";
-    for (const Field& f : fields)
-        if (const std::uint64_t n = value(f, *report_); n > 0) {
-            text += comma + std::string(f.name) + " " + std::to_string(n);
-            comma = ", ";
-        }
-    return text + ">";
-}
+py::dict Report::as_dict() const { return dict_of(counts, report_->moves); }
 
-py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices(), removed_simplices()); }
+py::str Report::repr() const { return repr_of("MoveResult", counts, report_->moves); }
+
+py::tuple Report::state() const {
+    return py::make_tuple(as_dict(), statistics_dict(report_->statistics), d_, simplices(report_->changed),
+                          simplices(report_->gone));
+}
 
 Report Report::of_state(const py::object& object) {
     if (!py::isinstance<py::tuple>(object))
-        throw Error(Error_code::bad_input, "state must be that of a pickled report");
+        throw Error(Error_code::bad_input, "state must be that of a pickled result");
     const auto state = py::reinterpret_borrow<py::tuple>(object);
-    if (state.size() != 4) throw Error(Error_code::bad_input, "state must be that of a pickled report");
-    Move_report r;
-    const auto numbers = state[0].cast<py::dict>();
-    for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
-    r.cost = numbers["cost"].cast<double>();
-    const int d = state[1].cast<int>();
-    if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a report");
-    const bool lists_changes = !state[2].is_none();
+    if (state.size() != 5) throw Error(Error_code::bad_input, "state must be that of a pickled result");
+    Move_result r;
+    read(counts, state[0].cast<py::dict>(), r.moves);
+    r.statistics = statistics_of(state[1].cast<py::dict>());
+    const int d = state[2].cast<int>();
+    if (d != 2 && d != 3) throw Error(Error_code::bad_input, "this is not the state of a result");
+    const bool lists_changes = !state[3].is_none();
     if (lists_changes) {
-        r.changed = simplices_of_state(state[2], d);
-        r.gone = simplices_of_state(state[3], d);
+        r.changed = simplices_of_state(state[3], d);
+        r.gone = simplices_of_state(state[4], d);
     }
     return {std::move(r), d, lists_changes};
 }
 
 void add_report(py::module_& m) {
-    py::class_<Report> report(m, "MoveReport", not_by_new(),
-                              R"(What a call of `MovingDelaunay.move` or `recompute_tolerances` did.
+    py::class_<Move_statistics> costs(m, "MoveStatistics", not_by_new(),
+                                      R"(What a call cost: `MoveResult.statistics`.
 
-Counts, and the simplices that were created and removed. `repr` shows the counts that are not 0, `as_dict` has all.)");
-    for (const Field& f : fields)
-        report.def_property_readonly(
-            f.name, [&f](const Report& r) { return value(f, r.numbers()); }, f.doc);
-    report
+Not a stable interface: attributes may go, come, and count otherwise in the next version. `repr` shows the counts that
+are not 0, `as_dict` has all.)");
+    add_fields(costs, statistics, [](const Move_statistics& s) -> const Move_statistics& { return s; });
+    costs
         .def_property_readonly(
-            "cost", [](const Report& r) { return r.numbers().cost; },
+            "cost", [](const Move_statistics& s) { return s.cost; },
             "float: cost of the call, in simplices tested, from measured costs of the operations.")
+        .def("as_dict", &statistics_dict, "dict: all counts by name.")
+        .def("__repr__", [](const Move_statistics& s) { return repr_of("MoveStatistics", statistics, s); })
+        .def("__reduce__", [](const Move_statistics& s) {
+            return py::make_tuple(unpickler("statistics_of"), py::make_tuple(statistics_dict(s)));
+        });
+    m.def("statistics_of", &statistics_of);
+
+    py::class_<Report> result(m, "MoveResult", not_by_new(),
+                              R"(What a call of `MovingDelaunay.move` or `recompute_tolerances` changed.
+
+What became of the vertices, as counts, and the simplices that were created and removed. What the call cost is in
+`statistics`. `repr` shows the counts that are not 0, `as_dict` has all.)");
+    add_fields(result, counts, [](const Report& r) -> const Move_counts& { return r.numbers().moves; });
+    result
+        .def_property_readonly(
+            "statistics", [](const Report& r) { return r.numbers().statistics; },
+            "MoveStatistics: what the call cost, in certificates, flips and steps. Not a stable interface.")
         .def_property_readonly(
             "changed_simplices", &Report::changed_simplices,
             R"(ndarray of int32, shape (m, d + 1): simplices that did not exist before the call, as rows of vertex )"
             R"(indices, positively oriented; read-only.
 
-None with ``report_changes=False``. Points that do not span d dimensions have no simplices.)")
+Raises an `Error` with the code ``usage`` unless the triangulation has ``report_changes=True``. Points that do not span
+d dimensions have no simplices.)")
         .def_property_readonly(
             "removed_simplices", &Report::removed_simplices,
-            "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. None is also in "
+            "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. No simplex is also "
+            "in "
             "`changed_simplices`, except one that was turned over: its vertices are in both, in another order.")
-        .def("as_dict", &Report::as_dict, "dict: all counts by name.")
+        .def("as_dict", &Report::as_dict, "dict: all counts by name, without those of `statistics`.")
         .def("__repr__", &Report::repr)
-        .def("__reduce__", [](const Report& r) {
-            // A function written in Python, because pickle finds functions by name.
-            return py::make_tuple(py::module_::import("annulus._queries").attr("report_of"), py::make_tuple(r.state()));
-        });
-    m.def("report_of", &Report::of_state);
+        .def("__reduce__",
+             [](const Report& r) { return py::make_tuple(unpickler("result_of"), py::make_tuple(r.state())); });
+    m.def("result_of", &Report::of_state);
 }
 
 }  // namespace annulus::python

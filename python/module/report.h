@@ -3,7 +3,7 @@
 
 #include <module/arrays.h>
 
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 
 #include <memory>
 #include <utility>
@@ -11,24 +11,26 @@
 
 namespace annulus::python {
 
-/// A Move_report, and the dimension of its mesh.
+/// MoveResult in Python: a Move_result, and the dimension of its mesh.
 class Report {
   public:
-    Report(Move_report report, int d, bool lists_changes);
+    Report(Move_result report, int d, bool lists_changes);
 
-    [[nodiscard]] const Move_report& numbers() const { return *report_; }
-    /// Simplices that were created, and that were removed, (m, d + 1); None without report_changes.
-    [[nodiscard]] py::object changed_simplices() const { return simplices(report_->changed); }
-    [[nodiscard]] py::object removed_simplices() const { return simplices(report_->gone); }
+    [[nodiscard]] const Move_result& numbers() const { return *report_; }
+    /// Simplices that were created, and that were removed, (m, d + 1). Throw Error(usage) without report_changes.
+    [[nodiscard]] py::object changed_simplices() const { return listed(report_->changed); }
+    [[nodiscard]] py::object removed_simplices() const { return listed(report_->gone); }
     [[nodiscard]] py::dict as_dict() const;
     [[nodiscard]] py::str repr() const;
     [[nodiscard]] py::tuple state() const;
     [[nodiscard]] static Report of_state(const py::object& state);
 
   private:
+    [[nodiscard]] py::object listed(const std::vector<Index>& vertices) const;
+    /// The same; None without report_changes.
     [[nodiscard]] py::object simplices(const std::vector<Index>& vertices) const;
 
-    std::shared_ptr<const Move_report> report_;  // lists finite simplices only
+    std::shared_ptr<const Move_result> report_;  // lists finite simplices only
     int d_;
     bool lists_changes_;
 };

@@ -55,7 +55,8 @@ RIGHT = {
     "nodt": (annulus.nodt, {"surface": "sphere", "vertices": 30, "iterations": 1}),
 }
 # What these are made of is not looked at: results, and exceptions.
-PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveReport", "Error", "OpenBoundariesWarning"}
+PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveResult", "MoveStatistics", "Error",
+         "OpenBoundariesWarning"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
@@ -64,7 +65,7 @@ NO_FAULT = {("move some", "indices"): {"None"}, ("lloyd", "callback"): {"type"},
             ("lloyd of points", "callback"): {"type"}, ("nodt", "callback"): {"type"},
             ("nodt", "surface"): {"long str"}}
 # Other names for what an argument is.
-ALSO = {"domain": "polygon"}
+ALSO = {"domain": "polygon", "indices": "index"}
 
 
 def public_callables():
@@ -156,14 +157,18 @@ def test_numbers_of_numpy_go_on_working():
                         allow_crossing=np.bool_(False)).points.shape[1] == 3
     assert annulus.counterexample(np.float32(0.015625))["delta"] == 0.015625
     assert annulus.MovingDelaunay(np.concatenate([X, X]), merge_duplicates=np.bool_(True)).nvertices == 30
-    assert annulus.MovingDelaunay(X, report_changes=0).move(X).changed_simplices is None
+    assert len(annulus.MovingDelaunay(X, report_changes=1).move(X).changed_simplices) == 0
+
+
+# Their stubs have their types.
+COMPILED = (annulus.MoveResult, annulus.MoveStatistics)
 
 
 def test_hints_can_be_read():
     """Every public class, function, method and property has types, and they are those of names that exist."""
     for name in annulus.__all__:
         thing = getattr(annulus, name)
-        if not callable(thing) or thing is annulus.MoveReport:  # that one is compiled: its stub has its types
+        if not callable(thing) or thing in COMPILED:
             continue
         hints = typing.get_type_hints(thing)
         if inspect.isfunction(thing):

@@ -274,7 +274,7 @@ def test_what_is_shared_is_read_only():
 
 
 def test_reference_counts():
-    dt = annulus.MovingDelaunay(X)
+    dt = annulus.MovingDelaunay(X, report_changes=True)
     own = sys.getrefcount(dt)
     arrays = [getattr(dt, name) for name in ARRAYS]
     report = dt.move(X + 0.1)

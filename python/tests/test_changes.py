@@ -9,26 +9,30 @@ from hypothesis import strategies as st
 
 from support import STRATEGIES, as_oriented_set, as_set, check, points_of, repeats
 
+COUNTS = ("within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
+
 
 @pytest.mark.parametrize("d", [2, 3])
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_reports_add_up(strategy, d):
     rng = np.random.default_rng(1)
     x = rng.random((120, d))
-    dt = annulus.MovingDelaunay(x, strategy)
+    dt = annulus.MovingDelaunay(x, strategy, report_changes=True)
     for step in (1e-6, 1e-3, 0.03, 0.3):
         before = as_oriented_set(dt.simplices)
         x = x + step * rng.standard_normal(x.shape) / 10
         r = dt.move(x)
         assert r.asked == 120
-        assert r.within_tolerance + r.kept_in_place + r.flipped + r.reinserted + r.rebuilt == r.asked
+        assert sum(getattr(r, name) for name in COUNTS) == r.asked
         now = as_oriented_set(dt.simplices)
         assert as_oriented_set(r.changed_simplices) == now - before
         assert as_oriented_set(r.removed_simplices) == before - now
         assert (len(r.changed_simplices) == len(now - before)
                 and len(r.removed_simplices) == len(before - now)), "each once"
         assert r.changed_simplices.shape[1] == d + 1 and not r.changed_simplices.flags.writeable
-        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() >= {"flips", "cost", "exact"}
+        assert r.as_dict()["asked"] == 120 and r.as_dict().keys() == {"asked", *COUNTS}
+        assert r.statistics.as_dict().keys() >= {"flips", "cost", "exact"}
+        assert r.statistics.evaluated == r.statistics.filter + r.statistics.interval + r.statistics.exact
         assert "asked 120" in repr(r)
         check(dt)
 
@@ -58,10 +62,13 @@ def test_simplices_are_those_of_now():
             check(dt)
 
 
-def test_changed_simplices_can_be_left_out():
-    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)), report_changes=False)
+def test_changed_simplices_are_listed_on_request():
+    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)))
     report = dt.move(dt.points + 0.1 * np.sin(7 * dt.points[:, ::-1]))
-    assert report.changed_simplices is None and report.removed_simplices is None
+    for name in ("changed_simplices", "removed_simplices"):
+        with pytest.raises(annulus.Error, match="report_changes=True") as e:
+            getattr(report, name)
+        assert e.value.code == "usage"
 
 
 def test_vacant_indices():

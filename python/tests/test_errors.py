@@ -125,7 +125,8 @@ def test_what_was_not_initialised():
 
 
 @pytest.mark.skipif(sys.version_info < (3, 10), reason="Python cannot be told before")
-@pytest.mark.parametrize("kind", [annulus.MoveReport, annulus._core.Mesh2, annulus._core.Mesh3, annulus._core.Options])
+@pytest.mark.parametrize("kind", [annulus.MoveResult, annulus.MoveStatistics, annulus._core.Mesh2, annulus._core.Mesh3,
+                                  annulus._core.Options])
 def test_what_python_cannot_make(kind):
     for call in (kind, lambda: kind.__new__(kind), lambda: object.__new__(kind)):
         with pytest.raises(TypeError):

@@ -64,7 +64,7 @@ def everything(dt, x, rng):
 def test_a_thousand_steps(d):
     rng = np.random.default_rng(0)
     x = rng.random((60, d))
-    dt = annulus.MovingDelaunay(x)
+    dt = annulus.MovingDelaunay(x, report_changes=True)
     sizes = []
     for step in range(1000):
         everything(dt, x + 0.01 * rng.standard_normal(x.shape), rng)
@@ -93,7 +93,7 @@ def test_objects_go(call):
 def test_no_object_of_python_stays():
     rng = np.random.default_rng(1)
     x = rng.random((60, 2))
-    dt = annulus.MovingDelaunay(x)
+    dt = annulus.MovingDelaunay(x, report_changes=True)
     for _ in range(20):
         everything(dt, x, rng)
     gc.collect()

@@ -155,11 +155,14 @@ def test_subclasses(copied):
 
 
 def test_reports():
-    dt = annulus.MovingDelaunay(points_of("uniform", 50, 3, 0))
+    dt = annulus.MovingDelaunay(points_of("uniform", 50, 3, 0), "tolerances", report_changes=True)
     report = dt.move(points_of("uniform", 50, 3, 1))
     other = pickle.loads(pickle.dumps(report))
     assert other.as_dict() == report.as_dict() and np.array_equal(other.changed_simplices, report.changed_simplices)
     assert np.array_equal(other.removed_simplices, report.removed_simplices)
+    cost = pickle.loads(pickle.dumps(report.statistics))
+    assert report.statistics.evaluated > 0
+    assert cost.as_dict() == other.statistics.as_dict() == report.statistics.as_dict()
 
 
 def test_what_is_no_state():

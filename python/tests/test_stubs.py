@@ -33,14 +33,15 @@ def test_the_stub_is_the_module():
     mesh = set(declared(stub["_Mesh"].body))
     for name in ("Mesh2", "Mesh3"):
         assert mesh == public(getattr(annulus._core, name))
-    assert set(declared(stub["MoveReport"].body)) == public(annulus.MoveReport)
+    for name in ("MoveResult", "MoveStatistics"):
+        assert set(declared(stub[name].body)) == public(getattr(annulus, name))
 
 
 def test_everything_is_explained():
     things = [getattr(annulus, name) for name in annulus.__all__ if name != "__version__"]
     things += [getattr(annulus.MovingDelaunay, name) for name in dir(annulus.MovingDelaunay)
                if not name.startswith("_")]
-    things += [getattr(annulus.MoveReport, name) for name in public(annulus.MoveReport)]
+    things += [getattr(kind, name) for kind in (annulus.MoveResult, annulus.MoveStatistics) for name in public(kind)]
     for thing in things:
         assert inspect.getdoc(thing), thing
     for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes"):
@@ -88,8 +89,8 @@ import annulus
 import numpy as np
 
 dt = annulus.MovingDelaunay(np.zeros((0, 3), dtype=np.float32), "tolerances", threads=2)
-report: annulus.MoveReport = dt.move(dt.points)
-n: int = report.flips + dt.nvertices + annulus.lloyd(10, 1).report.asked
+result: annulus.MoveResult = dt.move(dt.points)
+n: int = result.statistics.flips + dt.nvertices + annulus.lloyd(10, 1).report.asked
 s = annulus.nodt("sphere", 100).simplices
 new = dt.insert([[0.0, 0.0, 0.0]])
 dt.remove(new)

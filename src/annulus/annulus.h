@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 3
+#define ANNULUS_INTERFACE 4
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -68,15 +68,17 @@ typedef struct annulus_options {
     const char* strategy;
     const char* tolerance;     // "certified" (default); with "paper" and "paper-hybrid" also "paper", "floating"
     const char* second_look;   // must be NULL or "off"; has no effect
-    int32_t threads;           // default 1; results do not depend on it. Negative: ANNULUS_USAGE
+    int32_t threads;           // 1 or more; results do not depend on it. 0, like any member, is the default, here 1
     int32_t merge_duplicates;  // not 0: duplicate points become one vertex instead of ANNULUS_DUPLICATE_POINT
-    int32_t report_changes;    // not 0: annulus_changed lists cells
+    int32_t report_changes;    // not 0: annulus_changed lists cells. By default it does not
     int32_t reserved;          // 0
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
 
-// What a call did, as counts of vertices, certificates, flips and time steps. Set `size` to sizeof(annulus_report)
-// before the call; members beyond `size` are not written.
+// What a call changed: what became of the vertices, `asked` to `rebuilt`, and `changed`. The other members are
+// statistics of what the call cost. They stay where they are, but are no stable interface: a later version of the
+// library may count otherwise, or write 0. Set `size` to sizeof(annulus_report) before the call; members beyond `size`
+// are not written.
 typedef struct annulus_report {
     size_t size;
     uint64_t asked;             // vertices that the call was to move; the next five add up to it
@@ -162,10 +164,15 @@ ANNULUS_API void annulus_destroy(annulus_mesh** mesh);
 // error. Cannot fail.
 ANNULUS_API size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity);
 
-// Writes the indices of the vertices that the same message names, and returns their number, 0 to 2. After
-// DUPLICATE_POINT: both vertices, the smaller index first; for annulus_create the numbers of the two points, for
-// annulus_insert only the vertex that already has this position. After UNKNOWN_VERTEX, NOT_FINITE and OUT_OF_DOMAIN:
-// the vertex or point that was refused. Cannot fail.
+// Writes up to `capacity` of the vertices that the same error concerns, ascending, and returns how many there are.
+// vertices may be NULL when capacity is 0. After DUPLICATE_POINT: the vertices that would share one position, two or
+// more; for annulus_create numbers of points; for annulus_insert the one vertex that already has this position. After
+// NOT_FINITE and OUT_OF_DOMAIN: every vertex (for annulus_create and annulus_insert point, for predicates row) that was
+// refused. After UNKNOWN_VERTEX: every index that is not a vertex, or that occurs twice. After NO_TRIANGULATION: the
+// corners of a cell that is not positive. Other errors concern none. Cannot fail.
+ANNULUS_API size_t annulus_error_vertices(const annulus_mesh* mesh, size_t capacity, int32_t* vertices);
+
+// The first two of these; returns 0 to 2. Cannot fail.
 ANNULUS_API size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]);
 
 // The name of a status in words, "duplicate point" for ANNULUS_DUPLICATE_POINT; "unknown status" for any other number.
@@ -184,10 +191,10 @@ ANNULUS_API int annulus_interface(void);
 // Errors: WRONG_SIZE, NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
-// Moves some vertices, all at the same time: vertex indices[k] to point k. If an index occurs twice, its last point
-// counts. If fewer than one in 64 vertices move, under a strategy that repairs the mesh ("auto", "tolerances",
-// "tolerances-each", "in-place"), the cost is that of their single moves, independent of the size of the mesh. The
-// same errors as annulus_move_all, and UNKNOWN_VERTEX.
+// Moves some vertices, all at the same time: vertex indices[k] to point k (indices before points, as in C++). If an
+// index occurs twice, its last point counts. If fewer than one in 64 vertices move, under a strategy that repairs the
+// mesh ("auto", "tolerances", "tolerances-each", "in-place"), the cost is that of their single moves, whatever the
+// size of the mesh. Errors: as annulus_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
                              annulus_report* report);
 
@@ -232,9 +239,9 @@ ANNULUS_API int annulus_strategy(const annulus_mesh* mesh, const char** name);
 ANNULUS_API int annulus_points(const annulus_mesh* mesh, size_t capacity, double* coordinates);
 // The tolerance of each vertex: how far it may be from its fixed position, where it was when its tolerance was
 // computed, while every other vertex is within its own tolerance. A certified lower bound, unless options say
-// otherwise. 0 at free indices and if all points are in a plane or on a line. Errors: ENVIRONMENT, NO_MEMORY.
+// otherwise. 0 if all points are in a plane or on a line, NaN at free indices. Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_tolerances(const annulus_mesh* mesh, size_t capacity, double* lengths);
-// The distance of each vertex from its fixed position, rounded up. 0 at free indices. Errors: as above.
+// The distance of each vertex from its fixed position, rounded up. NaN at free indices. Errors: as above.
 ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity, double* lengths);
 // Areas (dimension 2) or volumes (dimension 3) of the Voronoi cells, each with a relative error of at most 2^-33 for
 // any points, and for each cell the number of Voronoi cells that touch it: its neighbours in the triangulation. The
@@ -298,8 +305,9 @@ ANNULUS_API int annulus_in_sphere(size_t count, const double* coordinates, annul
 
 // An exact verdict on a triangulation made by any program: whether the cells, dimension + 1 numbers of points each in
 // any order, are a Delaunay triangulation of all these points. If all points are in a plane or on a line, cells of that
-// dimension may be padded with -2. Lists up to `capacity` faults, sorted by kind; *count is the number listed. count is
-// optional if capacity is 0. In `result` inverted_cells counts flat cells. A few microseconds per cell.
+// dimension may be padded with -2. A single point, and no point, is Delaunay without cells and with no others. Lists up
+// to `capacity` faults, sorted by kind; *count is the number listed. count is optional if capacity is 0. In `result`
+// inverted_cells counts flat cells. A few microseconds per cell.
 // Errors: USAGE, NOT_FINITE, WRONG_SIZE, TOO_LARGE, NO_MEMORY.
 ANNULUS_API int annulus_audit_cells(int dimension, size_t points, const double* coordinates, size_t cells,
                                     const int32_t* vertices, annulus_audit_result* result, size_t capacity,

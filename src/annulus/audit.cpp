@@ -124,12 +124,13 @@ template <int d>
 Audit_result audit_any(Audit_input<d>& in) {
     if (in.points.size() > Limits::vertices || in.cells.size() > static_cast<std::size_t>(Limits::cells))
         throw Error(Error_code::too_large, "more points or cells than there are indices");
+    std::vector<std::int64_t> refused;
     for (std::size_t i = 0; i < in.points.size(); ++i)
-        for (const double c : in.points[i])
-            if (!is_finite_number(c))
-                throw Error(Error_code::not_finite,
-                            "a coordinate of point " + std::to_string(i) + " is not a finite number",
-                            {static_cast<std::int64_t>(i)});
+        if (!std::all_of(in.points[i].begin(), in.points[i].end(), [](double c) { return is_finite_number(c); }))
+            refused.push_back(static_cast<std::int64_t>(i));
+    if (!refused.empty())
+        throw Error(Error_code::not_finite,
+                    "a coordinate of point " + std::to_string(refused.front()) + " is not a finite number", refused);
     orient(in);
     const std::size_t most = in.most_faults;
     in.most_faults = std::max<std::size_t>(most, 1);

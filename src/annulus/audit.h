@@ -89,7 +89,8 @@ struct Audit_result {
 /// An exact verdict on a triangulation made by any program: whether the cells are a Delaunay triangulation of the
 /// points. It is given as arrays, such as `points` and `simplices` of scipy.spatial.Delaunay: d + 1 indices into
 /// `points` for each cell, in any order, so the orientation of a cell does not matter. If all points are in a plane or
-/// on a line, cells may be simplices of that dimension, 1 or 2, padded with `none`.
+/// on a line, cells may be simplices of that dimension, 1 or 2, padded with `none`. A single point, and no point, is a
+/// Delaunay triangulation without cells; any cell is a fault then.
 ///
 /// What is examined: every index names a point; no cell is flat; no two cells are on one side of a facet; every facet
 /// is locally Delaunay; the cells fill the convex hull, once; every point is a vertex; no two points coincide.

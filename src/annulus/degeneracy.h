@@ -34,7 +34,9 @@ class Histogram {
     void add(double sample);
     void add(std::span<const double> samples);
 
+    /// Both are valid until the object is assigned to or destroyed.
     [[nodiscard]] std::span<const double> edges() const noexcept { return edges_; }
+    /// Valid as long; the numbers change with add().
     [[nodiscard]] std::span<const std::uint64_t> counts() const noexcept { return counts_; }
     [[nodiscard]] bool logarithmic() const noexcept { return logarithmic_; }
     [[nodiscard]] std::uint64_t underflow() const noexcept { return underflow_; }

@@ -3,13 +3,13 @@
 
 #include <annulus/types.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -31,23 +31,29 @@ enum class Error_code {
 class Error : public std::runtime_error {
   public:
     Error(Error_code code, const std::string& what) : std::runtime_error(what), code_(code) {}
-    /// With the vertices concerned, at most two.
-    Error(Error_code code, const std::string& what, std::initializer_list<std::int64_t> vertices)
-        : std::runtime_error(what), code_(code) {
-        for (const std::int64_t v : vertices)
-            if (count_ < vertices_.size()) vertices_[count_++] = v;
-    }
+    /// With the vertices concerned.
+    Error(Error_code code, const std::string& what, std::vector<std::int64_t> vertices)
+        : std::runtime_error(what),
+          code_(code),
+          vertices_(std::make_shared<const std::vector<std::int64_t>>(std::move(vertices))) {}
     /// The reason as a value; `what()` returns it as text.
     [[nodiscard]] Error_code code() const noexcept { return code_; }
-    /// Indices of the vertices concerned, as far as they are known. For a duplicate point: both
-    /// vertices, the smaller index first (in a construction the indices of the points in the input); in an insertion
-    /// only the vertex that is there already. For other errors: the vertex whose position or index is refused.
-    [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {vertices_.data(), count_}; }
+    /// All vertices concerned, by the caller's numbers, ascending. Valid as long as this object or a copy of it.
+    /// - duplicate_point: the vertices that would share a position, two or more; where several positions would be
+    ///   shared, those of one of them. In a construction they are numbers of points in the input; in an insertion the
+    ///   one vertex that is there already.
+    /// - not_finite, out_of_domain: the vertices (in a construction points, in rows of points rows) whose coordinates
+    ///   are refused, for either reason. None if a single point has no number, as in an insertion.
+    /// - unknown_vertex: every index that names no vertex. None for a handle.
+    /// - bad_input of Voronoi measures: the corners of the cell that is not positive.
+    /// Other errors concern no vertices.
+    [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept {
+        return vertices_ ? std::span<const std::int64_t>(*vertices_) : std::span<const std::int64_t>();
+    }
 
   private:
     Error_code code_;
-    std::size_t count_ = 0;
-    std::array<std::int64_t, 2> vertices_{};
+    std::shared_ptr<const std::vector<std::int64_t>> vertices_;  // shared: copying an exception must not throw
 };
 
 }  // namespace annulus::inline v1

@@ -40,6 +40,7 @@ struct Vertex_neighbours {
     std::vector<Index> begin;  ///< one entry more than there are indices of vertices
     std::vector<Index> index;
 
+    /// Valid as long as this object is not changed.
     [[nodiscard]] std::span<const Index> of(Index v) const {
         const auto k = static_cast<std::size_t>(v);
         return {index.data() + begin[k], static_cast<std::size_t>(begin[k + 1] - begin[k])};
@@ -48,8 +49,8 @@ struct Vertex_neighbours {
 
 /// What the certificates of a triangulation measure at given positions, in the caller's unit of length.
 struct Measures {
-    std::vector<double> tolerance;      ///< by vertex index: least certified tolerance of its certificates; infinite at
-                                        ///< free indices and where the points are flat
+    std::vector<double> tolerance;      ///< by vertex index: least certified tolerance of its certificates; infinite
+                                        ///< where the points are flat, NaN at free indices
     std::vector<double> annulus_width;  ///< certified width of the annulus of every finite bi-cell: the standard one
                                         ///< in 2D, the least of four in 3D
     double theta_min = 1.5707963267948966;  ///< least theta of a finite bi-cell in radians

@@ -5,6 +5,6 @@
 namespace annulus::inline v1 {
 
 template class Cgal_view<Cgal_traits_2<No_info>>;
-template class Moving_delaunay<Cgal_view_2<No_info>>;
+template class Moving_delaunay<Delaunay_2<No_info>>;
 
 }  // namespace annulus::inline v1

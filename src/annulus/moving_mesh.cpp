@@ -10,6 +10,7 @@
 #include <annulus/published/strategies.h>
 
 #include <cstring>
+#include <limits>
 #include <mutex>
 
 namespace annulus::inline v1 {
@@ -46,7 +47,7 @@ std::vector<Coordinates<d>> points_of(std::span<const double> coordinates) {
     return points;
 }
 
-void hand_over(Move_report& done, Move_report* report) {
+void hand_over(Move_result& done, Move_result* report) {
     if (report != nullptr) *report = std::move(done);
 }
 
@@ -68,33 +69,42 @@ template <int d>
 Moving_mesh<d>& Moving_mesh<d>::operator=(Moving_mesh&&) noexcept = default;
 
 template <int d>
-Move_report Moving_mesh<d>::move(Index i, const Point& p) {
+Moving_mesh<d>::Moving_mesh(const Moving_mesh& other) : parts_(std::make_unique<Parts>(other.options())) {
+    parts_->changing().build_copy(other.parts_->engine);
+}
+template <int d>
+Moving_mesh<d>& Moving_mesh<d>::operator=(const Moving_mesh& other) {
+    return *this = Moving_mesh(other);
+}
+
+template <int d>
+Move_result Moving_mesh<d>::move(Index i, const Point& p) {
     return parts_->changing().move(i, p);
 }
 template <int d>
-Move_report Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+Move_result Moving_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
     return parts_->changing().move(indices, points);
 }
 template <int d>
-Move_report Moving_mesh<d>::move_all(std::span<const Point> points) {
+Move_result Moving_mesh<d>::move_all(std::span<const Point> points) {
     return parts_->changing().move_all(points);
 }
 template <int d>
-Index Moving_mesh<d>::insert(const Point& p, Move_report* report) {
-    Move_report done;
+Index Moving_mesh<d>::insert(const Point& p, Move_result* report) {
+    Move_result done;
     const Index i = parts_->changing().insert(p, done);
     hand_over(done, report);
     return i;
 }
 template <int d>
-void Moving_mesh<d>::remove(Index i, Move_report* report) {
+void Moving_mesh<d>::remove(Index i, Move_result* report) {
     parts_->engine.require_vertex(i);
-    Move_report done;
+    Move_result done;
     parts_->changing().remove(i, done);
     hand_over(done, report);
 }
 template <int d>
-Move_report Moving_mesh<d>::recompute_tolerances() {
+Move_result Moving_mesh<d>::recompute_tolerances() {
     return parts_->changing().recompute_tolerances();
 }
 
@@ -164,7 +174,7 @@ std::vector<Index> Moving_mesh<d>::find_cells(std::span<const Point> points) con
 
 template <int d>
 std::vector<double> Moving_mesh<d>::tolerances() const {
-    std::vector<double> out(index_bound(), 0.0);
+    std::vector<double> out(index_bound(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < out.size(); ++i)
         if (is_vertex(static_cast<Index>(i))) out[i] = parts_->engine.tolerance(static_cast<Index>(i));
     return out;

@@ -4,7 +4,7 @@
 #include <annulus/audit.h>
 #include <annulus/error.h>
 #include <annulus/mesh_cells.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <array>
@@ -42,17 +42,23 @@ class Moving_mesh {
     /// A moved-from object can only be destroyed or assigned to. O(1).
     Moving_mesh(Moving_mesh&&) noexcept;
     Moving_mesh& operator=(Moving_mesh&&) noexcept;
+    /// A copy with the same indices, free ones included, and options. It is built from the positions, so that it has
+    /// the same cells under other numbers, and computes its tolerances anew. O(n log n). Throws environment,
+    /// duplicate_point where tolerances that are not certified have let two positions coincide. Precondition: not a
+    /// moved-from object.
+    Moving_mesh(const Moving_mesh&);
+    Moving_mesh& operator=(const Moving_mesh&);
 
     /// As in Moving_delaunay.
-    Move_report move(Index i, const Point& p);
-    Move_report move(std::span<const Index> indices, std::span<const Point> points);
-    Move_report move_all(std::span<const Point> points);
+    Move_result move(Index i, const Point& p);
+    Move_result move(std::span<const Index> indices, std::span<const Point> points);
+    Move_result move_all(std::span<const Point> points);
     /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, duplicate_point.
-    Index insert(const Point& p, Move_report* report = nullptr);
+    Index insert(const Point& p, Move_result* report = nullptr);
     /// Throws unknown_vertex.
-    void remove(Index i, Move_report* report = nullptr);
+    void remove(Index i, Move_result* report = nullptr);
     /// Makes the moving position of every vertex its fixed one and computes every tolerance again. O(n).
-    Move_report recompute_tolerances();
+    Move_result recompute_tolerances();
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     /// Affine dimension of the points, -1 if there are none.
@@ -61,25 +67,28 @@ class Moving_mesh {
     [[nodiscard]] std::size_t index_bound() const;
     /// Whether a vertex has this index.
     [[nodiscard]] bool is_vertex(Index i) const;
-    /// Vertex index of every input point: 0, 1, 2, ... unless duplicate points were merged.
+    /// Vertex index of every input point: 0, 1, 2, ... unless duplicate points were merged. Valid as long as this
+    /// object, also if it is moved, and until it is assigned to; removals and insertions do not change it.
     [[nodiscard]] std::span<const Index> vertex_of_input() const;
 
-    /// Positions by index; entries at free indices are unspecified.
+    /// Positions by index, NaN at free indices. Valid until the next call of a member that is not const: such a call
+    /// may write to the array or replace it. It may be an argument of that call.
     [[nodiscard]] std::span<const Point> points() const;
     /// The positions at which the cells are Delaunay. They differ from points() only while tolerances that are not
-    /// certified are kept.
+    /// certified are kept. Valid as long as points().
     [[nodiscard]] std::span<const Point> delaunay_positions() const;
     /// Every finite cell. O(n).
     [[nodiscard]] Mesh_cells<d> cells() const;
 
     // Lists, which are made on request and kept until a cell changes: 24 (2D) or 32 (3D) bytes per cell and 4 per
     // vertex for the cells, about 28 (2D) or 66 (3D) per vertex for neighbours. After a change the first call is O(n).
-    // While all vertices are in a plane or on a line, every call that may change the mesh counts as a change. A span
-    // is valid until the next call of a member that is not const; a list that is shared is never changed.
+    // While all vertices are in a plane or on a line, every call that may change the mesh counts as a change. A list
+    // that is shared is never changed.
 
     /// The same as cells(), with a cell of each vertex.
     [[nodiscard]] std::shared_ptr<const Cell_lists<d>> cell_lists() const;
-    /// The vertices that an edge joins to vertex i, in ascending order. Throws unknown_vertex.
+    /// The vertices that an edge joins to vertex i, in ascending order. Valid until the next call of a member that is
+    /// not const. Throws unknown_vertex.
     [[nodiscard]] std::span<const Index> neighbors(Index i) const;
     /// Those of all vertices; none at free indices.
     [[nodiscard]] std::shared_ptr<const Vertex_neighbours> vertex_neighbors() const;
@@ -96,8 +105,8 @@ class Moving_mesh {
     [[nodiscard]] std::vector<Index> find_cells(std::span<const Point> points) const;
     /// By vertex index: how far the vertex may be from its fixed position while every other vertex is within its own
     /// tolerance of its own fixed position; a certified lower bound with Tolerance_kind::certified. While no tolerances
-    /// are kept, the least tolerance of its certificates. 0 at free indices and if all points are in a plane or on a
-    /// line. O(n).
+    /// are kept, the least tolerance of its certificates. 0 if all points are in a plane or on a line, NaN at free
+    /// indices. O(n).
     [[nodiscard]] std::vector<double> tolerances() const;
     [[nodiscard]] double tolerance(Index i) const;
     /// The position from which the displacement D is measured, and an upper bound of D = |position - fixed position|.

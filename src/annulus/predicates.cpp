@@ -152,7 +152,7 @@ Certified_sign evaluate(const Row<d, d + 2>& row) {
 template <int d, int k>
 Certified_sign one(const Row<d, k>& row) {
     require_sound_environment();
-    for (std::size_t i = 0; i < row.size(); ++i) require_in_domain(row[i], "point", static_cast<std::int64_t>(i));
+    require_in_domain(std::span<const Coordinates<d>>(row), "point");
     return evaluate<d>(row);
 }
 
@@ -160,8 +160,8 @@ template <int d, int k>
 void all(std::span<const Row<d, k>> rows, std::span<Certified_sign> out) {
     assert(rows.size() == out.size());
     require_sound_environment();
-    for (std::size_t r = 0; r < rows.size(); ++r)
-        for (const auto& x : rows[r]) require_in_domain(x, "row", static_cast<std::int64_t>(r));
+    const std::span<const Coordinates<d>> points(rows.empty() ? nullptr : rows.front().data(), k * rows.size());
+    require_in_domain(points, "row", [](std::size_t i) { return static_cast<std::int64_t>(i / k); });
     for (std::size_t r = 0; r < rows.size(); ++r) out[r] = evaluate<d>(rows[r]);
 }
 

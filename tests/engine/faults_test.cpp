@@ -48,12 +48,21 @@ template <int d>
 using Horizons_of = std::conditional_t<d != 0, Limits, void>;
 
 /// The members of a report that are compared: all but the time.
-std::vector<std::uint64_t> numbers(const Move_report& r) {
+std::vector<std::uint64_t> numbers(const Move_result& r) {
     const auto& m = r.moves;
-    return {m.asked,       m.within_tolerance,  m.kept_in_place,       m.flipped,
-            m.reinserted,  m.rebuilt,           r.evaluated,           r.star_walks,
-            r.flips,       r.arithmetic.filter, r.arithmetic.interval, r.arithmetic.exact,
-            r.undone_flips};
+    return {m.asked,
+            m.within_tolerance,
+            m.kept_in_place,
+            m.flipped,
+            m.reinserted,
+            m.rebuilt,
+            r.statistics.evaluated,
+            r.statistics.star_walks,
+            r.statistics.flips,
+            r.statistics.arithmetic.filter,
+            r.statistics.arithmetic.interval,
+            r.statistics.arithmetic.exact,
+            r.statistics.undone_flips};
 }
 
 }  // namespace
@@ -125,7 +134,7 @@ TEMPLATE_TEST_CASE_SIG("A conveyor, each vertex to the place of the next, is no 
         auto y = x;
         for (std::size_t i = 0; i + 1 < x.size(); ++i) y[i] = x[i + 1];
         y.back().fill(0.125);
-        const Move_report report = dt.move_all(std::span<const Coordinates<d>>(y));
+        const Move_result report = dt.move_all(std::span<const Coordinates<d>>(y));
         CHECK(report.moves.asked == x.size());
         CHECK(report.moves.rebuilt < x.size() / 2);  // repaired without rebuilding everything
         CHECK(dt.audit().delaunay());

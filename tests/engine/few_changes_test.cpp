@@ -39,7 +39,7 @@ void check_few(Strategy strategy) {
     const std::uint64_t all = dt.cells().vertices.size() * (d + 1) * sizeof(Index);
     for (int round = 0; round < 2; ++round) {
         for (int k = 0; k < 8; ++k) {
-            Move_report came, went;
+            Move_result came, went;
             const Failing_new counting(std::uint64_t{1} << 60);
             (void)dt.insert(anywhere<d>(random), &came);
             dt.remove(k, &went);
@@ -79,7 +79,7 @@ TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same time steps, dimension
         for (int round = 0; round < 3; ++round) {
             const Coordinates<d> p = anywhere<d>(random);
             for (auto* dt : {&one, &other}) {
-                Move_report unused;
+                Move_result unused;
                 (void)dt->insert(p, &unused);
                 dt->remove(3 + round, &unused);
             }
@@ -87,11 +87,11 @@ TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same time steps, dimension
             for (auto& q : x)
                 for (double& c : q) c += std::uniform_real_distribution<double>(0, 0.1)(random);
             x.resize(one.index_bound());
-            const Move_report a = one.move_all(std::span<const Coordinates<d>>(x)),
+            const Move_result a = one.move_all(std::span<const Coordinates<d>>(x)),
                               b = other.move_all(std::span<const Coordinates<d>>(x));
             CHECK(a.moves == b.moves);
-            CHECK(a.rebuild_steps == b.rebuild_steps);
-            CHECK(a.cost == b.cost);
+            CHECK(a.statistics.rebuild_steps == b.statistics.rebuild_steps);
+            CHECK(a.statistics.cost == b.statistics.cost);
             CHECK_FALSE(b.changed.empty());
             REQUIRE(other.audit().delaunay());
         }

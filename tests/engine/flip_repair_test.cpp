@@ -60,8 +60,9 @@ TEMPLATE_TEST_CASE_SIG("A walk of any reach in any family of points leaves the D
                         Moving_mesh<d> mesh(std::span<const Coordinates<d>>(scene.points()), dt.options());
                         for (int step = 0; step < 5; ++step) {
                             scene.step();
-                            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-                            if (strategy == Strategy::tolerances && report.flips > 0 && report.moves.rebuilt == 0)
+                            const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+                            if (strategy == Strategy::tolerances && report.statistics.flips > 0 &&
+                                report.moves.rebuilt == 0)
                                 ++repaired[spacings];
                             check_cells<d>(dt);
                             mesh.move_all(std::span<const Coordinates<d>>(scene.points()));
@@ -82,19 +83,19 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     for_each_seed(2, [](Random& random) {
         bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
         auto dt = moving<d>(scene.points(), Strategy::tolerances);
-        Move_report all;  // of the steps that were repaired
+        Move_result all;  // of the steps that were repaired
         std::uint64_t repaired = 0;
         for (int step = 0; step < 8; ++step) {
             scene.step();
-            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+            const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
             if (report.moves.rebuilt > 0) continue;  // above the limit of repair: one of 400 in 2D
             all += report;
             ++repaired;
         }
         CHECK(dt.audit().delaunay());
         CHECK(repaired >= 6);
-        CHECK(all.flips > repaired * 150);
-        CHECK(all.undone_flips == 0);
+        CHECK(all.statistics.flips > repaired * 150);
+        CHECK(all.statistics.undone_flips == 0);
         CHECK(all.moves.reinserted < all.moves.asked / 50);
     });
 }
@@ -104,14 +105,14 @@ TEMPLATE_TEST_CASE_SIG("What one place needs costs another nothing: the cost a v
     const auto cost = [](std::size_t n) {
         bench::Scene<d> scene("uniform", "walk", n, d == 2 ? 0.03 : 0.01, 5);
         auto dt = moving<d>(scene.points(), Strategy::automatic);
-        Move_report all;
+        Move_result all;
         for (int step = 0; step < 6; ++step) {
             scene.step();
-            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+            const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
             if (step > 1) all += report;
         }
         CHECK(all.moves.rebuilt == 0);
-        return all.cost / static_cast<double>(all.moves.asked);
+        return all.statistics.cost / static_cast<double>(all.moves.asked);
     };
     CHECK(cost(16000) < 1.3 * cost(1000));
 }
@@ -126,11 +127,11 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too expensive is given up before 
         (void)dt.move_all(std::span<const Coordinates<d>>(slow.points()));
     }
     bench::Scene<d> elsewhere("uniform", "walk", n, 1e-3, 4);
-    const Move_report report = dt.move_all(std::span<const Coordinates<d>>(elsewhere.points()));
-    CHECK(report.sign_steps == 1);
+    const Move_result report = dt.move_all(std::span<const Coordinates<d>>(elsewhere.points()));
+    CHECK(report.statistics.sign_steps == 1);
     CHECK(report.moves.rebuilt == n);
-    CHECK(report.undone_flips == 0);
-    CHECK(report.cost < 1.2 * Rebuild_policy<d>::rebuild_cost(n));
+    CHECK(report.statistics.undone_flips == 0);
+    CHECK(report.statistics.cost < 1.2 * Rebuild_policy<d>::rebuild_cost(n));
     CHECK(dt.audit().delaunay());
 }
 
@@ -148,12 +149,14 @@ TEMPLATE_TEST_CASE_SIG(
                     for (int step = 0; step < 24; ++step) {
                         CAPTURE(step);
                         scene.step();
-                        const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+                        const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
                         const double most = 1.5 * Cost_model<d>::insertion * static_cast<double>(n);
                         // A flip by the repair that was given up.
                         const double in_hand = 6.0 * Cost_model<d>::exact;
-                        REQUIRE(report.cost < most + in_hand);
-                        REQUIRE(report.tolerance_steps + report.sign_steps + report.rebuild_steps <= 1);
+                        REQUIRE(report.statistics.cost < most + in_hand);
+                        REQUIRE(report.statistics.tolerance_steps + report.statistics.sign_steps +
+                                    report.statistics.rebuild_steps <=
+                                1);
                     }
                     CHECK(dt.audit().delaunay());
                 }
@@ -164,7 +167,7 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[repa
     bench::Scene<3> large("uniform", "walk", 1000, 1.0, 1);
     auto dt = moving<3>(large.points(), Strategy::automatic);
     const auto steps = [&dt](bench::Scene<3>& scene, int n) {
-        Move_report all;
+        Move_result all;
         for (int step = 0; step < n; ++step) {
             scene.step();
             all += dt.move_all(std::span<const Coordinates<3>>(scene.points()));
@@ -175,10 +178,10 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[repa
     // The same points at rest: after a few time steps nothing is rebuilt, and tolerances are kept.
     bench::Scene<3> quiet("uniform", "walk", 1000, 1e-5, 1);
     (void)steps(quiet, 2);
-    const Move_report settled = steps(quiet, 12);
+    const Move_result settled = steps(quiet, 12);
     CHECK(settled.moves.rebuilt == 0);
-    CHECK(settled.tolerance_steps >= 8);
-    CHECK(settled.tolerance_recomputations == 1);
+    CHECK(settled.statistics.tolerance_steps >= 8);
+    CHECK(settled.statistics.tolerance_recomputations == 1);
     CHECK(steps(large, 12).rebuild_steps >= 10);
     CHECK(dt.audit().delaunay());
 }
@@ -190,11 +193,11 @@ TEST_CASE("auto is the same run from the same input", "[repair]") {
         std::vector<double> numbers;
         for (int step = 0; step < 20; ++step) {
             scene.step();
-            const Move_report r = dt.move_all(std::span<const Coordinates<3>>(scene.points()));
-            for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.flips, r.evaluated, r.arithmetic.exact,
-                                 r.sign_steps, r.rebuild_steps})
+            const Move_result r = dt.move_all(std::span<const Coordinates<3>>(scene.points()));
+            for (const auto k : {r.moves.rebuilt, r.moves.flipped, r.statistics.flips, r.statistics.evaluated,
+                                 r.statistics.arithmetic.exact, r.statistics.sign_steps, r.statistics.rebuild_steps})
                 numbers.push_back(static_cast<double>(k));
-            numbers.push_back(r.cost);
+            numbers.push_back(r.statistics.cost);
         }
         return numbers;
     };

@@ -55,9 +55,10 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
     Moving_d<3> dt(motion.positions(), Options{.strategy = strategy});
     std::vector<std::uint64_t> said;
     for (int step = 0; step < 40; ++step) {
-        const Move_report report = dt.move_all(motion.advance());
-        for (const std::uint64_t x : {report.evaluated, report.flips, report.moves.within_tolerance,
-                                      report.moves.kept_in_place, report.moves.flipped, report.moves.reinserted})
+        const Move_result report = dt.move_all(motion.advance());
+        for (const std::uint64_t x :
+             {report.statistics.evaluated, report.statistics.flips, report.moves.within_tolerance,
+              report.moves.kept_in_place, report.moves.flipped, report.moves.reinserted})
             said.push_back(x);
     }
     for (Index i = 0; i < static_cast<Index>(dt.index_bound()); ++i)

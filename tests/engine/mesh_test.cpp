@@ -121,7 +121,7 @@ TEMPLATE_TEST_CASE_SIG(
             Options options;
             options.strategy = strategy;
             Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
-            Move_report report = mesh.move(std::vector<Index>{1, 2, 3}, Points_d<d>{x[2], x[3], x[1]});
+            Move_result report = mesh.move(std::vector<Index>{1, 2, 3}, Points_d<d>{x[2], x[3], x[1]});
             CHECK(report.moves.asked == 3);
             CHECK((mesh.points()[1] == x[2] && mesh.points()[2] == x[3] && mesh.points()[3] == x[1]));
             CHECK(mesh.audit().first_fault == "");

@@ -160,19 +160,19 @@ TEMPLATE_TEST_CASE_SIG(
     const auto step = [&](double pace) {
         for (auto& p : x)
             for (double& c : p) c += pace * between(random, -1.0, 1.0);
-        const Move_report report = dt.move_all(std::span<const Coordinates<d>>(x));
+        const Move_result report = dt.move_all(std::span<const Coordinates<d>>(x));
         REQUIRE(dt.audit().delaunay());
         return report;
     };
     for (int i = 0; i < 20; ++i) {
-        const Move_report report = step(0.1);
-        CHECK(report.sign_steps == 1);
+        const Move_result report = step(0.1);
+        CHECK(report.statistics.sign_steps == 1);
         CHECK(report.moves.within_tolerance < 5);
     }
     for (int i = 0; i < 20; ++i) (void)step(1e-9);
-    const Move_report slow = step(1e-9);
+    const Move_result slow = step(1e-9);
     if (!Limits::tiny) {  // expiries of few bits lose the rest of a tolerance
-        CHECK(slow.evaluated < x.size() / 10);
+        CHECK(slow.statistics.evaluated < x.size() / 10);
         CHECK(slow.moves.within_tolerance > x.size() * 9 / 10);
     }
     for (int i = 0; i < 3; ++i) (void)step(0.1);

@@ -86,7 +86,7 @@ void check_cost(Scene scene, double pace) {
             choose<d>(x, pace, random, index, target);
             for (std::size_t k = 0; k < index.size(); ++k) x[static_cast<std::size_t>(index[k])] = target[k];
             std::uint64_t spent = 0, once = 0;
-            Move_report report;
+            Move_result report;
             {
                 const Failing_new counting(std::uint64_t{1} << 60);
                 report = dt.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
@@ -97,10 +97,10 @@ void check_cost(Scene scene, double pace) {
                 const Triangulation fresh(std::span<const Coordinates<d>>(x), plain);
                 once = Failing_new::bytes();
             }
-            CAPTURE(step, report.cost / (Cost_model<d>::rebuild * n), report.evaluated, spent / once,
-                    report.moves.reinserted, report.moves.rebuilt);
-            CHECK(report.cost < 6.0 * Cost_model<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
-            CHECK(static_cast<double>(report.evaluated) < 60.0 * cells);
+            CAPTURE(step, report.statistics.cost / (Cost_model<d>::rebuild * n), report.statistics.evaluated,
+                    spent / once, report.moves.reinserted, report.moves.rebuilt);
+            CHECK(report.statistics.cost < 6.0 * Cost_model<d>::rebuild * std::max(n, cells / (d == 2 ? 2.0 : 6.7)));
+            CHECK(static_cast<double>(report.statistics.evaluated) < 60.0 * cells);
             CHECK(spent < 10 * once);
             REQUIRE(std::equal(x.begin(), x.end(), dt.points().begin()));
             REQUIRE(dt.audit().delaunay());
@@ -183,16 +183,16 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
             index.push_back(static_cast<Index>(i));
             target.push_back(x[i]);
         }
-        const Move_report report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
-        const double cost = report.cost / static_cast<double>(movers);
-        CAPTURE(call, cost, report.evaluated, report.undone_flips, report.moves.flipped, report.moves.reinserted,
-                report.moves.rebuilt);
+        const Move_result report = mesh.move(std::span<const Index>(index), std::span<const Coordinates<d>>(target));
+        const double cost = report.statistics.cost / static_cast<double>(movers);
+        CAPTURE(call, cost, report.statistics.evaluated, report.statistics.undone_flips, report.moves.flipped,
+                report.moves.reinserted, report.moves.rebuilt);
         CHECK(cost < most * Cost_model<d>::reinsertion);
         CHECK(report.moves.rebuilt == 0);
-        CHECK(report.tolerance_recomputations == 0);
+        CHECK(report.statistics.tolerance_recomputations == 0);
         if (spacings > 5.0) CHECK(10 * report.moves.reinserted >= 9 * movers);
         // Facets of inverted cells have no tolerances that earlier stages could find: they are not evaluated.
-        if (spacings > 5.0 && movers > 1) CHECK(report.arithmetic.exact < 2 * movers);
+        if (spacings > 5.0 && movers > 1) CHECK(report.statistics.arithmetic.exact < 2 * movers);
         REQUIRE(std::equal(x.begin(), x.end(), mesh.points().begin()));
     }
     REQUIRE(mesh.audit().delaunay());

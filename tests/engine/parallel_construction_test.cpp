@@ -94,7 +94,7 @@ std::pair<std::vector<std::int64_t>, std::vector<double>> built(Points<d> x, Str
     };
     say();
     std::rotate(x.begin(), x.begin() + 1, x.end());
-    for (const Move_report& r :
+    for (const Move_result& r :
          {mesh.move_all(std::span<const Coordinates<d>>(x)), dt.move_all(std::span<const Coordinates<d>>(x))})
         CHECK(r.moves.rebuilt == x.size());
     say();

@@ -24,12 +24,13 @@ std::vector<double> walked(int with, Strategy strategy, double spacings) {
     Moving_mesh<d> mesh(std::span<const Coordinates<d>>(scene.points()), options);
     testing::Viewed_mesh<d> dt(std::span<const Coordinates<d>>(scene.points()), options);
     std::vector<double> said;
-    const auto say = [&said](const Move_report& r) {
-        for (const auto n : {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted,
-                             r.moves.rebuilt, r.evaluated, r.arithmetic.filter, r.arithmetic.interval,
-                             r.arithmetic.exact, r.flips, r.sign_steps, r.rebuild_steps})
+    const auto say = [&said](const Move_result& r) {
+        for (const auto n :
+             {r.moves.within_tolerance, r.moves.kept_in_place, r.moves.flipped, r.moves.reinserted, r.moves.rebuilt,
+              r.statistics.evaluated, r.statistics.arithmetic.filter, r.statistics.arithmetic.interval,
+              r.statistics.arithmetic.exact, r.statistics.flips, r.statistics.sign_steps, r.statistics.rebuild_steps})
             said.push_back(static_cast<double>(n));
-        said.push_back(r.cost);
+        said.push_back(r.statistics.cost);
     };
     for (int step = 0; step < 8; ++step) {
         scene.step();

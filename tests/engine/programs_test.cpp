@@ -114,10 +114,11 @@ void holds(const Program_of<d>& program) {
 
 /// Covers everything that the strategies can do.
 bool reached_everything(const Coverage& c) {
-    const Move_report& r = c.report;
+    const Move_result& r = c.report;
     return r.moves.within_tolerance > 0 && r.moves.kept_in_place > 0 && r.moves.flipped > 0 && r.moves.reinserted > 0 &&
-           r.moves.rebuilt > 0 && r.undone_flips > 0 && r.star_walks > 0 && r.arithmetic.filter > 0 &&
-           r.arithmetic.interval > 0 && r.arithmetic.exact > 0 && c.switches > 0 && c.duplicate_points() > 0;
+           r.moves.rebuilt > 0 && r.statistics.undone_flips > 0 && r.statistics.star_walks > 0 &&
+           r.statistics.arithmetic.filter > 0 && r.statistics.arithmetic.interval > 0 &&
+           r.statistics.arithmetic.exact > 0 && c.switches > 0 && c.duplicate_points() > 0;
 }
 
 }  // namespace

@@ -91,12 +91,12 @@ TEMPLATE_TEST_CASE_SIG("Scaling by a power of two scales the tolerances and chan
                             for (double& c : p) c += c * between(random, -0x1p-12, 0x1p-12);
                         if (!distinct<d>(target)) continue;
                     }
-                    const Move_report a = one.move_all(target);
-                    const Move_report b = other.move_all(scaled(target));
+                    const Move_result a = one.move_all(target);
+                    const Move_result b = other.move_all(scaled(target));
                     if (d == 2) {
                         CHECK(a.moves == b.moves);
-                        CHECK(a.evaluated == b.evaluated);
-                        CHECK(a.flips == b.flips);
+                        CHECK(a.statistics.evaluated == b.statistics.evaluated);
+                        CHECK(a.statistics.flips == b.statistics.flips);
                     } else {
                         // The order in which CGAL lists the cells around a vertex, and so the order of flips, depends
                         // on addresses.
@@ -171,7 +171,7 @@ TEMPLATE_TEST_CASE_SIG("Reported changes are the cells that came and those that 
                     options);
                 for (int step = 0; step < 8; ++step) {
                     const Cells_of<d> before = cells_of(dt);
-                    Move_report report;
+                    Move_result report;
                     Operation_of<d> shake =
                         Calls<d>::steady(Motion::jitter, 1, std::ldexp(1.0, -integer(random, 2, 9)), random());
                     Sites_of<d> now(dt.index_bound());

@@ -125,14 +125,14 @@ TEST_CASE("Inside the paper's tolerances the spindle ends in a triangulation tha
             Viewed_mesh_3 dt(spindle(0.01),
                              options_of(kind == Tolerance_kind::paper ? Strategy::paper : strategy, kind));
             CHECK(dt.view_cells().size() == 3);
-            const Move_report report = dt.move_all(spindle_grown(0.007));
+            const Move_result report = dt.move_all(spindle_grown(0.007));
             const bool right = dt.audit().delaunay();
             CHECK(right == (kind == Tolerance_kind::certified));
             if (kind == Tolerance_kind::paper) {
                 CHECK(report.moves.within_tolerance == 5);
             } else {
                 CHECK(dt.view_cells().size() == 2);
-                CHECK(report.flips == 1);
+                CHECK(report.statistics.flips == 1);
             }
         }
         // One vertex at a time, and back: always right.
@@ -229,8 +229,8 @@ TEST_CASE("Moves of 0.9999 tolerances in space evaluate nothing and keep the tri
             Points_3 x = home;
             for (std::size_t i = 0; i < x.size(); ++i)
                 x[i] = shifted(x[i], 0.9999 * dt.tolerance(static_cast<Index>(i)), worst[i], way, random);
-            const Move_report report = dt.move_all(x);
-            CHECK(report.evaluated == 0);
+            const Move_result report = dt.move_all(x);
+            CHECK(report.statistics.evaluated == 0);
             CHECK(report.moves.within_tolerance == x.size());
             CHECK(cells_of(dt) == before);
             CHECK(dt.audit().delaunay());

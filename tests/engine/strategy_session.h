@@ -49,7 +49,7 @@ struct Session {
     std::vector<Point> points;
     Delaunay_mesh<2> mesh;
     Kept strategy;
-    Move_report report;
+    Move_result report;
 
     template <class... Arguments>
     explicit Session(Random& random, Arguments... arguments)

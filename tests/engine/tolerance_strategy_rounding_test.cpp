@@ -169,7 +169,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     SECTION("tolerances") {
         Delaunay_mesh<2> mesh;
         Tolerance_strategy<2> strategy(mesh);
-        Move_report report;
+        Move_result report;
         mesh.build(square);
         strategy.recompute_tolerances(square, report);
         auto x = square;
@@ -180,7 +180,7 @@ TEST_CASE("A vertex without a tolerance that moves so little that the square is 
     SECTION("paper") {
         Delaunay_mesh<2> mesh;
         Paper_strategy<2> strategy(mesh, Paper_choice{}, Tolerance_kind::floating, 0U);
-        Move_report report;
+        Move_result report;
         mesh.build(square);
         strategy.recompute_tolerances(square, report);
         strategy.move(0, moved, report);

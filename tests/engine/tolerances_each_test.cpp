@@ -26,7 +26,7 @@ std::vector<Coordinates<Moving::dimension_of_space>> points_of(std::size_t n, Ra
 
 /// A time step in which every vertex moves by at most `way` in a random direction.
 template <class Moving>
-Move_report shake(Moving& dt, double way, Random& random) {
+Move_result shake(Moving& dt, double way, Random& random) {
     std::vector<Coordinates<Moving::dimension_of_space>> x(dt.points().begin(), dt.points().end());
     for (auto& p : x)
         for (double& c : p) c += between(random, -way, way);
@@ -49,14 +49,14 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
     };
     for (int round = 2 - repeats(2); round < 2; ++round) {
         // Fast: after a few time steps no vertex passes the step test any more, because there are no tolerances.
-        Move_report report;
+        Move_result report;
         for (int step = 0; step < 25; ++step) {
             report = shake(dt, 0.1, random);
             CHECK(report.moves.asked == n);
             check();
         }
         CHECK(report.moves.within_tolerance == 0);
-        CHECK(report.star_walks == 0);
+        CHECK(report.statistics.star_walks == 0);
         // A resting vertex still passes.
         report = shake(dt, 0.0, random);
         CHECK(report.moves.within_tolerance == n);
@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
         if (round == 1) {
             Coordinates<d> p{};
             p[0] = 0.015625;
-            Move_report one;
+            Move_result one;
             one = dt.move(7, p);
             CHECK(one.moves.asked == 1);
             check();
@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("tolerances-each keeps tolerances while they pay", "[relocati
             check();
         }
         CHECK(report.moves.within_tolerance > n / 2);
-        CHECK(report.evaluated < n);
+        CHECK(report.statistics.evaluated < n);
     }
 }
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks the lists of headers that are installed. usage: check.py ROOT | check.py --self-test
+"""Checks the headers that are installed. usage: check.py ROOT | check.py --self-test
 
 cmake/annulus-headers.cmake has two lists: headers without CGAL, which include only each other, and those of CGAL's
 view, which include only headers of both. The lists have every header in src/annulus and src/annulus/internal, and no
 other; the first has at most 12, both together at most 45. No header without CGAL includes anything of it, or of Boost,
-TBB and GMP. Prints each fault, and exits with 1 if there is any.
+TBB and GMP. In the public headers, and those of the class behind moving_delaunay_2.h and _3.h, the comment of every
+member that returns a span says how long it is valid. Prints each fault, and exits with 1 if there is any.
 """
 
 import re
@@ -18,6 +19,7 @@ MOST_PLAIN = 12
 MOST = 45
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"\n]+)[>"]', re.MULTILINE)
 LIST = re.compile(r"^set\((annulus_plain_headers|annulus_view_headers)\s+([^)]*)\)", re.MULTILINE)
+SPAN = re.compile(r"((?:^[ \t]*///[^\n]*\n)*)^[ \t]*\[\[nodiscard\]\] std::span<[^\n(]*> (\w+)\(", re.MULTILINE)
 OTHERS = ("CGAL/", "boost/", "tbb/", "oneapi/", "gmp", "mpfr")
 
 
@@ -48,6 +50,11 @@ def faults(root):
                     "installed" if name in view else "one of the headers without CGAL")
             if name in plain and included.startswith(OTHERS):
                 yield f"{name} includes <{included}>"
+        if "/" in name and name != "internal/moving_delaunay.h":
+            continue
+        for comment, member in SPAN.findall((source / name).read_text(encoding="utf-8")):
+            if "valid" not in comment.lower():
+                yield f"{name}: {member}() returns a span, and its comment does not say how long that is valid"
 
 
 class Faults(unittest.TestCase):
@@ -68,6 +75,8 @@ class Faults(unittest.TestCase):
 
     def test_right(self):
         self.assertEqual(self.found({}), [])
+        span = "/// Valid until the next call.\n[[nodiscard]] std::span<const int> all() const;\n"
+        self.assertEqual(self.found({"src/annulus/a.h": span}), [])
 
     def test_each_fault(self):
         for name, text, word in (
@@ -76,7 +85,9 @@ class Faults(unittest.TestCase):
                 ("src/annulus/internal/v.h", "#include <annulus/mesh/m.h>\n", "not installed"),
                 ("src/annulus/a.h", "#include <annulus/internal/v.h>\n", "without CGAL"),
                 ("src/annulus/a.h", "# include <CGAL/V.h>\n", "<CGAL/V.h>"),
-                ("src/annulus/b.h", "#include <gmpxx.h>\n", "<gmpxx.h>")):
+                ("src/annulus/b.h", "#include <gmpxx.h>\n", "<gmpxx.h>"),
+                ("src/annulus/b.h", "    /// All.\n    [[nodiscard]] std::span<const int> all() const;\n", "all()"),
+                ("src/annulus/b.h", "[[nodiscard]] std::span<const int> all(int k) const;\n", "all()")):
             with self.subTest(name=name, text=text):
                 found = self.found({name: text})
                 self.assertEqual(len(found), 1, found)

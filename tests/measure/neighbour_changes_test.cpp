@@ -58,10 +58,10 @@ struct Crowd {
     void push(Coordinates<d>& p, double pace) {
         for (std::size_t k = 0; k < free; ++k) p[k] += std::normal_distribution<double>(0, pace)(random);
     }
-    void note(const Move_report& report) { changes.note(report.changed, report.gone); }
+    void note(const Move_result& report) { changes.note(report.changed, report.gone); }
     void come() {
         const Coordinates<d> p = somewhere();
-        Move_report report;
+        Move_result report;
         const Index i = mesh.insert(p, &report);
         index[next] = i;
         points[next] = p;
@@ -70,7 +70,7 @@ struct Crowd {
     }
     void go() {
         const auto it = std::next(points.begin(), static_cast<std::ptrdiff_t>(random() % points.size()));
-        Move_report report;
+        Move_result report;
         mesh.remove(index.at(it->first), &report);
         note(report);
         index.erase(it->first);
@@ -140,18 +140,18 @@ TEST_CASE("In the plane a flip breaks one pair and makes one", "[measure]") {
                         {.strategy = Strategy::tolerances, .report_changes = true});
     Neighbour_changes<2> changes;
     for (Index i = 0; i < 8; ++i) changes.name(i, 10 + static_cast<Id>(i));
-    const Move_report report = mesh.move(2, {1, 0.9});
+    const Move_result report = mesh.move(2, {1, 0.9});
     changes.note(report.changed, report.gone);
     const std::vector<Neighbour_change> said = changes.take();
     CHECK(std::count(said.begin(), said.end(), Neighbour_change{10, 12, true}) == 1);
     CHECK(std::count(said.begin(), said.end(), Neighbour_change{11, 13, false}) == 1);
     for (const bool made : {true, false})
-        CHECK(static_cast<std::uint64_t>(std::count_if(said.begin(), said.end(),
-                                                       [=](const auto& c) { return c.made == made; })) == report.flips);
+        CHECK(static_cast<std::uint64_t>(std::count_if(
+                  said.begin(), said.end(), [=](const auto& c) { return c.made == made; })) == report.statistics.flips);
     CHECK(changes.take().empty());
     // A pair made and broken between two calls of take() is not reported.
     for (const Coordinates<2>& p : {Coordinates<2>{1, 1.1}, Coordinates<2>{1, 0.9}}) {
-        const Move_report back = mesh.move(2, p);
+        const Move_result back = mesh.move(2, p);
         changes.note(back.changed, back.gone);
     }
     CHECK(changes.take().empty());

@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE_SIG("Where two positions coincide, a call that runs out of me
         [=](auto& e) { (void)e.move(5, inside); }, [=](auto& e) { (void)e.move(5, e.positions()[7]); },
         [](auto& e) { (void)e.move_all(sheared<d>(grid<d>(), 0.7)); }, [](auto& e) { (void)e.recompute_tolerances(); },
         [=](auto& e) {
-            Move_report report;
+            Move_result report;
             (void)e.insert(inside, report);
         }};
     for (std::size_t k = 0; k < calls.size(); ++k)

@@ -111,10 +111,10 @@ TEST_CASE("The filtering algorithm and its queue decide as the paper's pseudo-co
                     for (Index w = 0; static_cast<std::size_t>(w) < n; ++w) epsilon.push_back(dt.engine.tolerance(w));
                     const bool passes =
                         distance(x[i], dt.engine.fixed_position(v)[0], dt.engine.fixed_position(v)[1]) < epsilon[i];
-                    const Move_report r = dt.engine.move(v, x[i]);
+                    const Move_result r = dt.engine.move(v, x[i]);
                     CHECK((r.moves.within_tolerance == 1) == passes);
                     if (passes) {
-                        CHECK(r.evaluated + r.requeued == 0);
+                        CHECK(r.statistics.evaluated + r.statistics.requeued == 0);
                         continue;
                     }
                     CHECK(dt.is_at_fixed_position(v));
@@ -129,9 +129,10 @@ TEST_CASE("The filtering algorithm and its queue decide as the paper's pseudo-co
                         CHECK((dt.is_at_fixed_position(static_cast<Index>(w)) ||
                                dt.engine.displacement(static_cast<Index>(w)) < now * (1 + 1e-9)));
                         const Real before = w == i ? std::numeric_limits<Real>::infinity() : epsilon[w];
-                        if (r.requeued == 0) CHECK(now == Approx(double(std::min(before, fresh[w]))).epsilon(1e-9));
+                        if (r.statistics.requeued == 0)
+                            CHECK(now == Approx(double(std::min(before, fresh[w]))).epsilon(1e-9));
                     }
-                    ++(r.requeued == 0 ? quiet : queued);
+                    ++(r.statistics.requeued == 0 ? quiet : queued);
                     known = all;
                 }
             }

@@ -31,12 +31,13 @@ void follow(const Paper_choice& choice, double pace, bool sound) {
     Paper_mesh<d> dt(x, choice);
     for (int step = 0; step < 4; ++step) {
         stir<d>(x, pace, random);
-        const Move_report r = dt.engine.move_all(x);
+        const Move_result r = dt.engine.move_all(x);
         const Move_counts& m = r.moves;
         CHECK(m.asked == x.size());
         CHECK(m.within_tolerance + m.kept_in_place + m.flipped + m.reinserted + m.rebuilt == m.asked);
         CHECK(m.rebuilt == 0);
-        if (!choice.tolerances) CHECK((r.evaluated == 0 && m.within_tolerance == 0 && r.requeued == 0));
+        if (!choice.tolerances)
+            CHECK((r.statistics.evaluated == 0 && m.within_tolerance == 0 && r.statistics.requeued == 0));
         if (!choice.flips || d == 3) CHECK(m.flipped == 0);
         if (!choice.in_place && !(choice.flips && d == 2) && !(choice.safe_region && choice.tolerances && d == 2))
             CHECK(m.kept_in_place == 0);
@@ -78,7 +79,7 @@ TEST_CASE("The safe region is larger than the tolerance, and moves can leave it"
     std::vector<Coordinates<2>> x = source;
     stir<2>(x, 1e-3, random);
     Paper_mesh<2> by_tolerances(source, printed), safe(source, with_safe_region);
-    const Move_report a = by_tolerances.engine.move_all(x), b = safe.engine.move_all(x);
+    const Move_result a = by_tolerances.engine.move_all(x), b = safe.engine.move_all(x);
     CHECK(b.moves.reinserted < a.moves.reinserted);
     CHECK(b.moves.reinserted > 0);
     CHECK(b.moves.kept_in_place > 0);

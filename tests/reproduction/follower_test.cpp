@@ -23,7 +23,7 @@ TEMPLATE_TEST_CASE_SIG("A follower by the paper's filtering algorithm lists the 
     std::vector<Coordinates<d>> target;
     for (int step = 0; step < 4; ++step) {
         (void)scene.next(target);
-        const Move_report r = dt.move_all(target);
+        const Move_result r = dt.move_all(target);
         CHECK(r.moves.asked == 400);
         CHECK(r.moves.reinserted == dt.paper_strategy()->failed().size());
         CHECK(r.moves.within_tolerance >= 200);
@@ -32,7 +32,7 @@ TEMPLATE_TEST_CASE_SIG("A follower by the paper's filtering algorithm lists the 
         if (d == 2) CHECK(dt.audit().delaunay());
     }
     dt.recompute_tolerances();
-    const Move_report still = dt.move_all(target);
+    const Move_result still = dt.move_all(target);
     CHECK(still.moves.within_tolerance == 400);
     CHECK(dt.paper_strategy()->failed().empty());
 }

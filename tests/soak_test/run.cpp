@@ -76,11 +76,11 @@ class Runner {
   private:
     // ---- Calls --------------------------------------------------------------------------------------------------
 
-    void count(const Move_report& report, std::size_t asked) {
+    void count(const Move_result& report, std::size_t asked) {
         if (report.moves.asked != asked) throw Fault{"a report asked for " + std::to_string(report.moves.asked)};
         outcome_.asked += asked;
         outcome_.within += report.moves.within_tolerance;
-        outcome_.flips += report.flips;
+        outcome_.flips += report.statistics.flips;
     }
 
     /// The position at a free index is ignored.

@@ -17,7 +17,7 @@ const oracle::Sites_of<d>& Checked_mesh<d>::sites() const {
     return session_->sites();
 }
 template <int d>
-const Move_report& Checked_mesh<d>::last() const {
+const Move_result& Checked_mesh<d>::last() const {
     return session_->last();
 }
 template <int d>

@@ -32,7 +32,7 @@ class Checked_mesh {
 
     [[nodiscard]] const Viewed_mesh<d>& dt() const { return dt_; }
     [[nodiscard]] const oracle::Sites_of<d>& sites() const;
-    [[nodiscard]] const Move_report& last() const;
+    [[nodiscard]] const Move_result& last() const;
 
     void apply(const oracle::Operation_of<d>& o);
     void check() const;

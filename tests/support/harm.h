@@ -10,7 +10,7 @@
 #include <support/stages.h>
 
 #include <annulus/audit.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <limits>
@@ -136,8 +136,8 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
         for (std::size_t i = 0; i < x.size(); ++i) y[i] = stepped(x[i], worst[i], share * s[i]);
         HOLDS(passes(y), x);
         Moving moving(std::span<const Coordinates<d>>(x), options);
-        const Move_report report = moving.move_all(y);
-        HOLDS(report.evaluated == 0 && report.moves.within_tolerance == x.size(), x);
+        const Move_result report = moving.move_all(y);
+        HOLDS(report.statistics.evaluated == 0 && report.moves.within_tolerance == x.size(), x);
         HOLDS(moving.audit_input().cells == before.cells, x);
     }
 }

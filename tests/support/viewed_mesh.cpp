@@ -51,27 +51,27 @@ template <int d>
 Viewed_mesh<d>& Viewed_mesh<d>::operator=(Viewed_mesh&&) noexcept = default;
 
 template <int d>
-Move_report Viewed_mesh<d>::move(Index i, const Point& p) {
+Move_result Viewed_mesh<d>::move(Index i, const Point& p) {
     return viewed_->dt.move(i, p);
 }
 template <int d>
-Move_report Viewed_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+Move_result Viewed_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
     return viewed_->dt.move(indices, points);
 }
 template <int d>
-Move_report Viewed_mesh<d>::move_all(std::span<const Point> points) {
+Move_result Viewed_mesh<d>::move_all(std::span<const Point> points) {
     return viewed_->dt.move_all(points);
 }
 template <int d>
-Index Viewed_mesh<d>::insert(const Point& p, Move_report* report) {
+Index Viewed_mesh<d>::insert(const Point& p, Move_result* report) {
     return viewed_->dt.index(viewed_->dt.insert(oracle::Space<d>::point(p), report));
 }
 template <int d>
-void Viewed_mesh<d>::remove(Index i, Move_report* report) {
+void Viewed_mesh<d>::remove(Index i, Move_result* report) {
     viewed_->dt.remove(viewed_->vertex(i), report);
 }
 template <int d>
-Move_report Viewed_mesh<d>::recompute_tolerances() {
+Move_result Viewed_mesh<d>::recompute_tolerances() {
     return viewed_->dt.recompute_tolerances();
 }
 

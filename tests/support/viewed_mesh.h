@@ -7,7 +7,7 @@
 #include <annulus/audit.h>
 #include <annulus/error.h>
 #include <annulus/mesh_cells.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 #include <common/cells.h>
 
@@ -49,12 +49,12 @@ class Viewed_mesh {
     Viewed_mesh& operator=(Viewed_mesh&&) noexcept;
 
     /// By index, without the handle.
-    Move_report move(Index i, const Point& p);
-    Move_report move(std::span<const Index> indices, std::span<const Point> points);
-    Move_report move_all(std::span<const Point> points);
-    Index insert(const Point& p, Move_report* report = nullptr);
-    void remove(Index i, Move_report* report = nullptr);
-    Move_report recompute_tolerances();
+    Move_result move(Index i, const Point& p);
+    Move_result move(std::span<const Index> indices, std::span<const Point> points);
+    Move_result move_all(std::span<const Point> points);
+    Index insert(const Point& p, Move_result* report = nullptr);
+    void remove(Index i, Move_result* report = nullptr);
+    Move_result recompute_tolerances();
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     [[nodiscard]] std::size_t index_bound() const;

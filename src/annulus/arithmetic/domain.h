@@ -4,9 +4,14 @@
 #include <annulus/error.h>
 #include <annulus/types.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -45,14 +50,44 @@ inline void require_in_domain(const std::array<double, d>& x) {
     throw Error(Error_code::out_of_domain, "a coordinate is larger than 2^500 in magnitude");
 }
 
-/// The same, with a message that names the point: `whose` is "point" or "vertex", i its index.
+/// The error of points that are not in the domain: `whose` is "point", "vertex" or "row", `refused` their numbers in
+/// ascending order, x the first of them.
+template <std::size_t d>
+[[nodiscard]] inline Error domain_error(const std::array<double, d>& x, const char* whose,
+                                        std::vector<std::int64_t> refused) {
+    bool finite = true;
+    for (const double c : x) finite = finite && is_finite_number(c);
+    std::string what = "a coordinate of " + std::string(whose) + " " + std::to_string(refused.front()) +
+                       (finite ? " is larger than 2^500 in magnitude" : " is not a finite number");
+    if (refused.size() > 1) what += ", as are coordinates of " + std::to_string(refused.size() - 1) + " more";
+    return {finite ? Error_code::out_of_domain : Error_code::not_finite, what, std::move(refused)};
+}
+
+/// The same for a point with a number.
 template <std::size_t d>
 inline void require_in_domain(const std::array<double, d>& x, const char* whose, std::int64_t i) {
-    if (in_domain(x)) return;
-    const std::string of = "a coordinate of " + std::string(whose) + " " + std::to_string(i);
-    for (const double c : x)
-        if (!is_finite_number(c)) throw Error(Error_code::not_finite, of + " is not a finite number", {i});
-    throw Error(Error_code::out_of_domain, of + " is larger than 2^500 in magnitude", {i});
+    if (!in_domain(x)) throw Error(domain_error(x, whose, {i}));
+}
+
+/// Throws domain_error with the numbers of all x[k] that are not in the domain; number(k) is that of x[k], or `none` if
+/// x[k] does not count. O(n).
+template <std::size_t d, class Number>
+inline void require_in_domain(std::span<const std::array<double, d>> x, const char* whose, Number number) {
+    std::vector<std::int64_t> refused;
+    std::size_t least = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        if (in_domain(x[k]) || number(k) == none) continue;
+        if (refused.empty() || number(k) < number(least)) least = k;
+        refused.push_back(static_cast<std::int64_t>(number(k)));
+    }
+    if (refused.empty()) return;
+    std::sort(refused.begin(), refused.end());
+    refused.erase(std::unique(refused.begin(), refused.end()), refused.end());
+    throw Error(domain_error(x[least], whose, std::move(refused)));
+}
+template <std::size_t d>
+inline void require_in_domain(std::span<const std::array<double, d>> x, const char* whose) {
+    require_in_domain(x, whose, [](std::size_t k) { return static_cast<std::int64_t>(k); });
 }
 
 }  // namespace annulus::inline v1

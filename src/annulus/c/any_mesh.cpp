@@ -33,19 +33,18 @@ class Mesh_of final : public Any_mesh {
     const Options& options() const override { return mesh_.options(); }
     std::span<const Index> vertex_of_input() const override { return mesh_.vertex_of_input(); }
 
-    Move_report move_all(const double* x, std::size_t points) override {
+    Move_result move_all(const double* x, std::size_t points) override {
         return mesh_.move_all(as_points<d>(x, points));
     }
-    Move_report move(std::span<const Index> indices, const double* x) override {
+    Move_result move(std::span<const Index> indices, const double* x) override {
         return mesh_.move(indices, as_points<d>(x, indices.size()));
     }
     void require_positions(const double* x, std::size_t points) const override {
-        const auto all = as_points<d>(x, points);
-        for (std::size_t k = 0; k < points; ++k) require_in_domain(all[k], "point", static_cast<std::int64_t>(k));
+        require_in_domain(as_points<d>(x, points), "point");
     }
-    Index insert(const double* x, Move_report& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
-    void remove(Index i, Move_report& report) override { mesh_.remove(i, &report); }
-    Move_report recompute_tolerances() override { return mesh_.recompute_tolerances(); }
+    Index insert(const double* x, Move_result& report) override { return mesh_.insert(as_points<d>(x, 1)[0], &report); }
+    void remove(Index i, Move_result& report) override { mesh_.remove(i, &report); }
+    Move_result recompute_tolerances() override { return mesh_.recompute_tolerances(); }
 
     void points(double* x) const override {
         const auto now = mesh_.points();
@@ -59,7 +58,8 @@ class Mesh_of final : public Any_mesh {
     }
     void displacements(double* lengths) const override {
         for (std::size_t i = 0; i < index_bound(); ++i)
-            lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i)) : 0.0;
+            lengths[i] = is_vertex(static_cast<Index>(i)) ? mesh_.displacement(static_cast<Index>(i))
+                                                          : std::numeric_limits<double>::quiet_NaN();
     }
     void voronoi(double* volumes, Index* neighbour_counts) const override {
         std::vector<double> v;

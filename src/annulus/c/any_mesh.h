@@ -3,7 +3,7 @@
 
 #include <annulus/audit.h>
 #include <annulus/mesh/cell_lists.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <cstddef>
@@ -37,13 +37,13 @@ class Any_mesh {
     [[nodiscard]] virtual const Options& options() const = 0;
     [[nodiscard]] virtual std::span<const Index> vertex_of_input() const = 0;
 
-    virtual Move_report move_all(const double* x, std::size_t points) = 0;
-    virtual Move_report move(std::span<const Index> indices, const double* x) = 0;
+    virtual Move_result move_all(const double* x, std::size_t points) = 0;
+    virtual Move_result move(std::span<const Index> indices, const double* x) = 0;
     /// Throws not_finite or out_of_domain unless each of these points may be a position.
     virtual void require_positions(const double* x, std::size_t points) const = 0;
-    virtual Index insert(const double* x, Move_report& report) = 0;
-    virtual void remove(Index i, Move_report& report) = 0;
-    virtual Move_report recompute_tolerances() = 0;
+    virtual Index insert(const double* x, Move_result& report) = 0;
+    virtual void remove(Index i, Move_result& report) = 0;
+    virtual Move_result recompute_tolerances() = 0;
 
     virtual void points(double* x) const = 0;
     virtual void tolerances(double* lengths) const = 0;

@@ -35,8 +35,15 @@ int Last_error::note(annulus_status status, const char* why, std::span<const std
     const std::size_t length = std::min(std::strlen(why), text_.size() - 1);
     std::memcpy(text_.data(), why, length);
     text_[length] = '\0';
-    vertex_count_ = std::min(vertices.size(), vertices_.size());
-    for (std::size_t k = 0; k < vertex_count_; ++k) vertices_[k] = static_cast<std::int32_t>(vertices[k]);
+    vertex_count_ = std::min(vertices.size(), first_.size());
+    for (std::size_t k = 0; k < vertex_count_; ++k) first_[k] = static_cast<std::int32_t>(vertices[k]);
+    more_.clear();
+    if (vertices.size() > vertex_count_) try {
+            more_.assign(vertices.begin(), vertices.end());
+            vertex_count_ = more_.size();
+        } catch (const std::bad_alloc&) {
+            more_.clear();
+        }
     return status;
 }
 
@@ -51,9 +58,10 @@ std::size_t Last_error::copy(char* buffer, std::size_t capacity) const noexcept 
     return length;
 }
 
-std::size_t Last_error::copy_vertices(std::int32_t* vertices) const noexcept {
+std::size_t Last_error::copy_vertices(std::size_t capacity, std::int32_t* vertices) const noexcept {
     const std::lock_guard lock(writing_);
-    if (vertices != nullptr) std::copy_n(vertices_.begin(), vertex_count_, vertices);
+    const std::int32_t* const all = more_.empty() ? first_.data() : more_.data();
+    if (vertices != nullptr) std::copy_n(all, std::min(capacity, vertex_count_), vertices);
     return vertex_count_;
 }
 
@@ -66,7 +74,7 @@ int note_exception(Last_error& error) noexcept {
     try {
         throw;
     } catch (const Refused& e) {
-        return error.note(e.status(), e.what(), e.vertices());
+        return error.note(e.status(), e.what());
     } catch (const Error& e) {
         return error.note(status_of(e.code()), e.what(), e.vertices());
     } catch (const std::bad_alloc&) {

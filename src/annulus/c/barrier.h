@@ -21,35 +21,29 @@ namespace annulus::inline v1::c {
 class Refused : public std::runtime_error {
   public:
     Refused(annulus_status status, const std::string& why) : std::runtime_error(why), status_(status) {}
-    Refused(annulus_status status, const std::string& why, Index vertex) : Refused(status, why) {
-        vertex_ = vertex;
-        names_ = true;
-    }
     [[nodiscard]] annulus_status status() const noexcept { return status_; }
-    /// The vertex that the error names, or an empty span.
-    [[nodiscard]] std::span<const std::int64_t> vertices() const noexcept { return {&vertex_, names_ ? 1U : 0U}; }
 
   private:
     annulus_status status_;
-    std::int64_t vertex_ = 0;
-    bool names_ = false;
 };
 
-/// The last error of a mesh or a thread. Never allocates, because memory may have run out.
+/// The last error of a mesh or a thread. Allocates for three vertices and more only, and keeps two where memory has run
+/// out.
 class Last_error {
   public:
-    /// Records an error and returns its status. Keeps at most two vertices.
+    /// Records an error and returns its status.
     int note(annulus_status status, const char* why, std::span<const std::int64_t> vertices = {}) noexcept;
     /// As annulus_message.
     std::size_t copy(char* buffer, std::size_t capacity) const noexcept;
-    /// As annulus_message_vertices.
-    std::size_t copy_vertices(std::int32_t* vertices) const noexcept;
+    /// As annulus_error_vertices.
+    std::size_t copy_vertices(std::size_t capacity, std::int32_t* vertices) const noexcept;
 
   private:
     mutable std::mutex writing_;  // functions that only read a mesh may run concurrently, and can fail, too
     std::array<char, 512> text_{};
-    std::array<std::int32_t, 2> vertices_{};
+    std::array<std::int32_t, 2> first_{};
     std::size_t vertex_count_ = 0;
+    std::vector<std::int32_t> more_;  // all of them, if they are more than two
 };
 
 /// The last error of the calling thread, for calls that have no mesh.

@@ -3,6 +3,7 @@
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
+#include <annulus/engine/require_removable.h>
 
 #include <algorithm>
 
@@ -11,13 +12,13 @@ using namespace annulus::c;
 
 namespace {
 
-void hand_over(annulus_mesh& m, Move_report& done, annulus_report* report) {
+void hand_over(annulus_mesh& m, Move_result& done, annulus_report* report) {
     m.changed = std::move(done.changed);
     write_report(report, done, m.mesh->dimension(), m.changed.size());
 }
 
 /// For calls that make several calls of Moving_mesh: after each of these, adds its report and its changed cells.
-void add(annulus_mesh& m, const Move_report& one, Move_report& all, annulus_report* report, std::size_t* so_far) {
+void add(annulus_mesh& m, const Move_result& one, Move_result& all, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) ++*so_far;
     m.changed.insert(m.changed.end(), one.changed.begin(), one.changed.end());
     all += one;
@@ -63,7 +64,7 @@ int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinate
         require(coordinates, points, "coordinates");
         require_report(report);
         require_sound_environment();
-        Move_report done = m.mesh->move_all(coordinates, points);
+        Move_result done = m.mesh->move_all(coordinates, points);
         hand_over(m, done, report);
     });
 }
@@ -76,7 +77,7 @@ int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const
         require(coordinates, count, "coordinates");
         require_report(report);
         require_sound_environment();
-        Move_report done = m.mesh->move({indices, count}, coordinates);
+        Move_result done = m.mesh->move({indices, count}, coordinates);
         hand_over(m, done, report);
     });
 }
@@ -92,10 +93,10 @@ int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, 
         require_sound_environment();
         m.mesh->require_positions(coordinates, count);
         begin_several(m, report, inserted);
-        Move_report all;
+        Move_result all;
         const auto d = static_cast<std::size_t>(m.mesh->dimension());
         for (std::size_t k = 0; k < count; ++k) {
-            Move_report one;
+            Move_result one;
             indices[k] = m.mesh->insert(coordinates + k * d, one);
             add(m, one, all, report, inserted);
         }
@@ -109,19 +110,11 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
         require(indices, count, "indices");
         require_report(report);
         require_sound_environment();
-        std::vector<Index> sorted;
-        if (count > 0) sorted.assign(indices, indices + count);
-        std::sort(sorted.begin(), sorted.end());
-        if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-            throw Refused(ANNULUS_UNKNOWN_VERTEX, "vertex " + std::to_string(*twice) + " is to be removed twice",
-                          *twice);
-        for (const Index i : sorted)
-            if (!m.mesh->is_vertex(i))
-                throw Refused(ANNULUS_UNKNOWN_VERTEX, "no vertex has index " + std::to_string(i), i);
+        require_removable(std::span(indices, count), [&](Index i) { return m.mesh->is_vertex(i); });
         begin_several(m, report, removed);
-        Move_report all;
+        Move_result all;
         for (std::size_t k = 0; k < count; ++k) {
-            Move_report one;
+            Move_result one;
             m.mesh->remove(indices[k], one);
             add(m, one, all, report, removed);
         }
@@ -132,7 +125,7 @@ int annulus_recompute_tolerances(annulus_mesh* mesh, annulus_report* report) {
     return guarded(mesh, [&](annulus_mesh& m) {
         require_report(report);
         require_sound_environment();
-        Move_report done = m.mesh->recompute_tolerances();
+        Move_result done = m.mesh->recompute_tolerances();
         hand_over(m, done, report);
     });
 }

@@ -49,7 +49,11 @@ size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity) 
 }
 
 size_t annulus_message_vertices(const annulus_mesh* mesh, int32_t vertices[2]) {
-    return (mesh == nullptr ? error_of_thread() : mesh->error).copy_vertices(vertices);
+    return std::min<size_t>(2, annulus_error_vertices(mesh, 2, vertices));
+}
+
+size_t annulus_error_vertices(const annulus_mesh* mesh, size_t capacity, int32_t* vertices) {
+    return (mesh == nullptr ? error_of_thread() : mesh->error).copy_vertices(capacity, vertices);
 }
 
 const char* annulus_status_name(int status) {

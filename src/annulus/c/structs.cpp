@@ -30,38 +30,38 @@ Options options_of(const annulus_options* given) {
         if (beyond[i] != 0)
             throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
-    if (known.threads < 0) throw Refused(ANNULUS_USAGE, "annulus_options.threads is negative");
     choose(options.strategy, known.strategy, strategy_named, "strategy",
            "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
         throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");
-    options.threads = std::max(1, known.threads);
+    if (known.threads != 0) options.threads = known.threads;  // Engine refuses what is below 1
     options.merge_duplicates = known.merge_duplicates != 0;
     options.report_changes = known.report_changes != 0;
     options.seed = known.seed;
     return options;
 }
 
-void write_report(annulus_report* to, const Move_report& done, int dimension, std::size_t changed) {
+void write_report(annulus_report* to, const Move_result& done, int dimension, std::size_t changed) {
     if (to == nullptr) return;
     annulus_report r{};
+    const Move_statistics& cost = done.statistics;
     r.asked = done.moves.asked;
     r.within_tolerance = done.moves.within_tolerance;
     r.kept_in_place = done.moves.kept_in_place;
     r.flipped = done.moves.flipped;
     r.reinserted = done.moves.reinserted;
     r.rebuilt = done.moves.rebuilt;
-    r.evaluated = done.evaluated;
-    r.by_filter = done.arithmetic.filter;
-    r.by_intervals = done.arithmetic.interval;
-    r.by_integers = done.arithmetic.exact;
-    r.flips = done.flips;
-    r.tolerance_steps = done.tolerance_steps;
-    r.sign_steps = done.sign_steps;
-    r.rebuild_steps = done.rebuild_steps;
+    r.evaluated = cost.evaluated;
+    r.by_filter = cost.arithmetic.filter;
+    r.by_intervals = cost.arithmetic.interval;
+    r.by_integers = cost.arithmetic.exact;
+    r.flips = cost.flips;
+    r.tolerance_steps = cost.tolerance_steps;
+    r.sign_steps = cost.sign_steps;
+    r.rebuild_steps = cost.rebuild_steps;
     r.changed = changed / static_cast<std::size_t>(dimension + 1);
-    r.cost = done.cost;
+    r.cost = cost.cost;
     write_struct(to, r);
 }
 

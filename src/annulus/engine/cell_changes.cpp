@@ -68,7 +68,7 @@ auto Cell_changes<d>::all_cells(std::span<const Coordinates<d>> x) const -> std:
 }
 
 template <int d>
-void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_report& report) {
+void Cell_changes<d>::list(std::span<const Coordinates<d>> x, Move_result& report) {
     change_log_.check();
     std::vector<Sites> came;
     if (watched_ && !change_log_.replaced()) {

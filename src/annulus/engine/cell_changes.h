@@ -3,7 +3,7 @@
 
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/change_log.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 
 #include <array>
 #include <vector>
@@ -24,7 +24,7 @@ class Cell_changes {
 
     /// Writes report.changed and report.gone, sorted by their vertices. O(k log k) for k cells that were written, or
     /// for all n.
-    void list(std::span<const Coordinates<d>> x, Move_report& report);
+    void list(std::span<const Coordinates<d>> x, Move_result& report);
 
   private:
     using Sites = typename Change_log<d>::Sites;

@@ -36,7 +36,7 @@ Strategy Engine<d>::strategy() const {
 
 template <int d>
 void Engine<d>::build(std::span<const Point> points) {
-    for (std::size_t i = 0; i < points.size(); ++i) require_in_domain(points[i], "point", static_cast<std::int64_t>(i));
+    require_in_domain(points, "point");
     if (points.size() > Limits::vertices)
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " vertices");
     std::vector<Point> distinct;
@@ -53,9 +53,30 @@ void Engine<d>::build(std::span<const Point> points) {
     } else {
         for (std::size_t i = 0; i < points.size(); ++i) vertex_of_input_.push_back(static_cast<Index>(i));
     }
-    mesh_.build(points);
-    Move_report report;
+    try {
+        mesh_.build(points);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, points, [](Index) { return true; }, "points", "have");
+    }
+    Move_result report;
     strategy_->begin(points, report);
+}
+
+template <int d>
+void Engine<d>::build_copy(const Engine& other) {
+    const auto x = other.positions();
+    vertex_of_input_ = other.vertex_of_input_;
+    free_indices_ = other.free_indices_;
+    try {
+        mesh_.build(x, free_indices_);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, x, [&](Index i) { return other.is_vertex(i); }, "vertices", "have");
+    }
+    Move_result discarded;
+    strategy_->begin(x, discarded);
+    clear_free_positions();
 }
 
 template <int d>
@@ -88,7 +109,7 @@ void Engine<d>::restore_cells(Index fresh) {
         strategy_->resume_at_delaunay_positions();
         return;
     }
-    Move_report discarded;
+    Move_result discarded;
     strategy_->begin(positions(), discarded);
 }
 
@@ -130,8 +151,8 @@ double Engine<d>::displacement(Index i) const {
 }
 
 template <int d>
-Move_report Engine<d>::recompute_tolerances() {
-    Move_report report;
+Move_result Engine<d>::recompute_tolerances() {
+    Move_result report;
     guarded([&] {
         listing_changes(report, {}, [&] {
             if (strategy_->trusted()) strategy_->refresh_all(report);
@@ -141,13 +162,31 @@ Move_report Engine<d>::recompute_tolerances() {
     return report;
 }
 
+template <int d>
+void Engine<d>::require_vertices(std::span<const Index> indices) const {
+    std::vector<std::int64_t> unknown;
+    for (const Index i : indices)
+        if (!is_vertex(i)) unknown.push_back(i);
+    if (unknown.empty()) return;
+    std::sort(unknown.begin(), unknown.end());
+    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
+    std::string what = "no vertex has index " + std::to_string(unknown.front());
+    if (unknown.size() > 1) what += ", nor any of " + std::to_string(unknown.size() - 1) + " more";
+    throw Error(Error_code::unknown_vertex, what, std::move(unknown));
+}
+
 /// Insertion and removal need a Delaunay triangulation. Tolerances that are not certified may have left another one,
 /// or one at other positions.
 template <int d>
-void Engine<d>::make_trusted(Move_report& report) {
+void Engine<d>::make_trusted(Move_result& report) {
     if (strategy_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
-    mesh_.rebuild(x);
+    try {
+        mesh_.rebuild(x);
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(
+            e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); }, "vertices", "have");
+    }
     strategy_->begin(x, report);
 }
 
@@ -170,7 +209,7 @@ Index Engine<d>::vertex_at(const Point& p, std::size_t bound) const {
 }
 
 template <int d>
-Index Engine<d>::insert(const Point& p, Move_report& report) {
+Index Engine<d>::insert(const Point& p, Move_result& report) {
     require_in_domain(p);
     require_whole();
     if (free_indices_.empty() && index_bound() >= Limits::vertices)
@@ -191,13 +230,18 @@ Index Engine<d>::insert(const Point& p, Move_report& report) {
         if (before == d) strategy_->refresh(changed, report);
         else if (mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
-    guarded([&] { listing_changes(report, {}, put); }, i);
+    try {
+        guarded([&] { listing_changes(report, {}, put); }, i);
+    } catch (...) {
+        clear_free_positions();
+        throw;
+    }
     if (!free_indices_.empty()) free_indices_.pop_back();
     return i;
 }
 
 template <int d>
-void Engine<d>::remove(Index i, Move_report& report) {
+void Engine<d>::remove(Index i, Move_result& report) {
     free_indices_.reserve(free_indices_.size() + 1);
     const auto take = [&] {
         make_trusted(report);
@@ -213,7 +257,13 @@ void Engine<d>::remove(Index i, Move_report& report) {
         if (!changed.empty()) strategy_->refresh(changed, report);
         else if (before == d || mesh_.dimension() == d) strategy_->refresh_rebuilt(report);
     };
-    guarded([&] { listing_changes(report, {}, take); });
+    try {
+        guarded([&] { listing_changes(report, {}, take); });
+    } catch (...) {
+        clear_free_positions();
+        throw;
+    }
+    strategy_->clear_position(i);
 }
 
 template <int d>

@@ -5,7 +5,7 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/change_log.h>
 #include <annulus/mesh_cells.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 
 #include <memory>
@@ -30,19 +30,23 @@ class Engine {
 
     /// Triangulates these points. Called once.
     void build(std::span<const Point> points);
+    /// In place of build(): takes the vertices of another engine, with their indices and its free ones.
+    void build_copy(const Engine& other);
 
-    Move_report move(Index i, const Point& p);
-    Move_report move(std::span<const Index> indices, std::span<const Point> points);
-    Move_report move_all(std::span<const Point> points);
+    Move_result move(Index i, const Point& p);
+    Move_result move(std::span<const Index> indices, std::span<const Point> points);
+    Move_result move_all(std::span<const Point> points);
     /// Returns the index of the new vertex.
-    Index insert(const Point& p, Move_report& report);
-    void remove(Index i, Move_report& report);
-    Move_report recompute_tolerances();
+    Index insert(const Point& p, Move_result& report);
+    void remove(Index i, Move_result& report);
+    Move_result recompute_tolerances();
 
     [[nodiscard]] std::size_t index_bound() const { return positions().size(); }
     [[nodiscard]] bool is_vertex(Index i) const;
     /// Throws unknown_vertex.
     void require_vertex(Index i) const;
+    /// The same, naming every index that names no vertex.
+    void require_vertices(std::span<const Index> indices) const;
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return vertex_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
     /// The positions at which the triangulation is Delaunay. They differ from positions() only while tolerances that
@@ -68,22 +72,27 @@ class Engine {
     void recover(std::size_t bound, Index fresh) noexcept;
     void restore_cells(Index fresh);
     void require_whole();
-    void rebuild_all(std::span<const Point> x, Move_report& report);
+    void clear_free_positions() noexcept {
+        for (const Index i : free_indices_) strategy_->clear_position(i);
+    }
+    void rebuild_all(std::span<const Point> x, Move_result& report);
     [[nodiscard]] Index vertex_at(const Point& p, std::size_t bound) const;
     [[noreturn]] void throw_taken(const Point& p, std::size_t bound) const;
-    void move_one(Index i, const Point& p, Move_report& report);
-    void move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report);
+    void move_one(Index i, const Point& p, Move_result& report);
+    void move_some(std::span<const Index> indices, std::span<const Point> points, Move_result& report);
     [[nodiscard]] bool move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers,
                                        std::span<const Point> points, std::vector<std::pair<Index, Point>>& source,
-                                       Move_report& report);
+                                       Move_result& report);
     static void count_movers(std::uint64_t movers, Move_counts& moves);
-    void move_everything(std::span<const Point> points, Move_report& report);
-    void move_sequentially(std::span<const Point> x, Move_report& report);
-    void try_move_sequentially(std::span<const Point> x, Move_report& report);
+    void move_everything(std::span<const Point> points, Move_result& report);
+    void move_sequentially(std::span<const Point> x, Move_result& report);
+    void try_move_sequentially(std::span<const Point> x, Move_result& report);
     void order_by_blockers(std::span<const Point> x, std::vector<Index>& waiting) const;
-    void make_trusted(Move_report& report);
+    void make_trusted(Move_result& report);
     template <class Call>
-    void listing_changes(Move_report& report, std::span<const Index> movers, Call call);
+    void listing_changes(Move_result& report, std::span<const Index> movers, Call call);
+    template <class Call>
+    void listing_all_changes(Move_result& report, Call call);
 
     Options options_;
     Delaunay_mesh<d>& mesh_;

@@ -11,15 +11,14 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 
 namespace annulus::inline v1 {
 
 template <int d>
-Move_report Engine<d>::move(Index i, const Point& p) {
+Move_result Engine<d>::move(Index i, const Point& p) {
     require_vertex(i);
     require_in_domain(p, "vertex", i);
-    Move_report report;
+    Move_result report;
     const Point target = p;  // it may be one of positions(), which change meanwhile
     guarded_moves(std::span(&i, 1), std::span(&target, 1),
                   [&] { listing_changes(report, std::span(&i, 1), [&] { move_one(i, target, report); }); });
@@ -28,7 +27,7 @@ Move_report Engine<d>::move(Index i, const Point& p) {
 
 /// Strategies that repair the mesh rebuild flat sets, even for a single move.
 template <int d>
-void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
+void Engine<d>::move_one(Index i, const Point& p, Move_result& report) {
     if (!strategy_->repairs() || mesh_.dimension() == d) {
         strategy_->move(i, p, report);
         return;
@@ -43,13 +42,13 @@ void Engine<d>::move_one(Index i, const Point& p, Move_report& report) {
 }
 
 template <int d>
-Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+Move_result Engine<d>::move(std::span<const Index> indices, std::span<const Point> points) {
     if (indices.size() != points.size())
         throw Error(Error_code::wrong_size,
                     std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
-    for (const Index i : indices) require_vertex(i);
-    for (std::size_t k = 0; k < points.size(); ++k) require_in_domain(points[k], "vertex", indices[k]);
-    Move_report report;
+    require_vertices(indices);
+    require_in_domain(points, "vertex", [&](std::size_t k) { return indices[k]; });
+    Move_result report;
     const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change meanwhile
     guarded_moves(indices, targets,
                   [&] { listing_changes(report, indices, [&] { move_some(indices, targets, report); }); });
@@ -60,7 +59,7 @@ Move_report Engine<d>::move(std::span<const Index> indices, std::span<const Poin
 /// turned out to cost more than a rebuild. If an index is named twice, its last position counts. A mover at the
 /// target of another mover is no duplicate point: this, too, is made a time step.
 template <int d>
-void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_report& report) {
+void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point> points, Move_result& report) {
     constexpr std::size_t share = 64;
     // Each mover once, with its last target. What may throw comes before the moves.
     std::vector<std::pair<Index, std::size_t>> movers;
@@ -96,7 +95,7 @@ void Engine<d>::move_some(std::span<const Index> indices, std::span<const Point>
             if (too_expensive && (far || strategy_->is_sequential())) rebuild_all(x, report);
             else move_everything(x, report);
         } catch (const Error&) {
-            Move_report discarded;
+            Move_result discarded;
             if (!source.empty()) move_everything(old, discarded);
             throw;
         }
@@ -126,14 +125,14 @@ void Engine<d>::count_movers(std::uint64_t movers, Move_counts& moves) {
 /// now.
 template <int d>
 bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> movers, std::span<const Point> points,
-                                std::vector<std::pair<Index, Point>>& source, Move_report& report) {
-    const double before = report.cost;
+                                std::vector<std::pair<Index, Point>>& source, Move_result& report) {
+    const double before = report.statistics.cost;
     const double rebuild = strategy_->begins_with_tolerances()
                                ? Rebuild_policy<d>::rebuild_with_tolerances_cost(mesh_.vertices())
                                : Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     for (const auto& [i, k] : movers) {
         if (mesh_.dimension() != d) return false;
-        const double cost = report.cost - before;
+        const double cost = report.statistics.cost - before;
         if (!source.empty() &&
             Rebuild_policy<d>::exceeds_rebuild_one_by_one(cost, source.size(), movers.size(), rebuild))
             return false;
@@ -144,26 +143,23 @@ bool Engine<d>::move_one_by_one(std::span<const std::pair<Index, std::size_t>> m
 }
 
 template <int d>
-Move_report Engine<d>::move_all(std::span<const Point> points) {
+Move_result Engine<d>::move_all(std::span<const Point> points) {
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size, "move_all takes " + std::to_string(index_bound()) + " points, not " +
                                                 std::to_string(points.size()));
     // Strategies that repair whole time steps read every position anyway, and check it themselves.
     if (!strategy_->repairs() || strategy_->is_sequential() || mesh_.dimension() != d)
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (is_vertex(static_cast<Index>(i))) require_in_domain(points[i], "vertex", static_cast<Index>(i));
-    Move_report report;
-    std::vector<Index> movers;
-    if (change_log_) {
-        movers.resize(points.size());
-        std::iota(movers.begin(), movers.end(), Index{0});
-    }
-    guarded_moves({}, points, [&] { listing_changes(report, movers, [&] { move_everything(points, report); }); });
+        require_in_domain(points, "vertex", [this](std::size_t i) {
+            return is_vertex(static_cast<Index>(i)) ? static_cast<Index>(i) : none;
+        });
+    Move_result report;
+    guarded_moves({}, points, [&] { listing_all_changes(report, [&] { move_everything(points, report); }); });
+    clear_free_positions();
     return report;
 }
 
 template <int d>
-void Engine<d>::move_everything(std::span<const Point> points, Move_report& report) {
+void Engine<d>::move_everything(std::span<const Point> points, Move_result& report) {
     strategy_->before_step(points, report);
     if (strategy_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
     else if (strategy_->is_sequential()) move_sequentially(points, report);
@@ -171,7 +167,7 @@ void Engine<d>::move_everything(std::span<const Point> points, Move_report& repo
 }
 
 template <int d>
-void Engine<d>::rebuild_all(std::span<const Point> x, Move_report& report) {
+void Engine<d>::rebuild_all(std::span<const Point> x, Move_result& report) {
     mesh_.rebuild(x);
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();
@@ -208,20 +204,20 @@ void Engine<d>::order_by_blockers(std::span<const Point> x, std::vector<Index>& 
 /// no duplicate point of the time step: such vertices are moved last, in an order that is computed once. When that
 /// does not help (a cycle), everything is rebuilt.
 template <int d>
-void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& report) {
+void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_result& report) {
     std::vector<Index> waiting;
     for (Index i = 0; at(i) < x.size(); ++i)
         if (is_vertex(i)) waiting.push_back(i);
     std::vector<Index> refused;
     bool ordered = false;
-    const double before = report.cost;
+    const double before = report.statistics.cost;
     std::size_t turns = 0;
     for (bool progress = true; progress && !waiting.empty();) {
         refused.clear();
         for (const Index i : waiting) {
             if (strategy_->repairs() &&
-                (mesh_.dimension() != d ||
-                 Rebuild_policy<d>::exceeds_rebuild_in_sequence(report.cost - before, turns++, mesh_.vertices()))) {
+                (mesh_.dimension() != d || Rebuild_policy<d>::exceeds_rebuild_in_sequence(
+                                               report.statistics.cost - before, turns++, mesh_.vertices()))) {
                 // Single moves of a flat set are rebuilds, and may be as expensive where many vertices are on one
                 // sphere: all at once.
                 report.moves = {};
@@ -252,7 +248,7 @@ void Engine<d>::try_move_sequentially(std::span<const Point> x, Move_report& rep
 }
 
 template <int d>
-void Engine<d>::move_sequentially(std::span<const Point> x, Move_report& report) {
+void Engine<d>::move_sequentially(std::span<const Point> x, Move_result& report) {
     strategy_->begin_transaction(x, report);
     try {
         try_move_sequentially(x, report);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -29,21 +30,30 @@ template <int d, class Is_present>
     return std::pair(*twice, *(twice + 1));
 }
 
-/// Handles an error of a call that was to move vertices to `targets`: rethrows a duplicate point with the names of
-/// both vertices, which the code that found it may not know, and anything else as it is.
+/// Every i with is_present(i) and x[i] at the position of x[v], ascending. O(n).
 template <int d, class Is_present>
-[[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> targets,
-                                        Is_present is_present) {
+[[nodiscard]] std::vector<std::int64_t> sharing(std::span<const Coordinates<d>> x, Index v, Is_present is_present) {
+    std::vector<std::int64_t> all;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (is_present(static_cast<Index>(i)) && x[i] == x[static_cast<std::size_t>(v)])
+            all.push_back(static_cast<std::int64_t>(i));
+    return all;
+}
+
+/// Handles an error of a call after which the vertices would be at x: rethrows a duplicate point with the names of all
+/// vertices at that position, which the code that found it may not know, and anything else as it is. `what` and `have`
+/// as for duplicate_point_error.
+template <int d, class Is_present>
+[[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> x, Is_present is_present,
+                                        const char* what = "vertices", const char* have = "would have") {
     if (e.code() != Error_code::duplicate_point) throw;
+    const auto at = [](std::int64_t i) { return static_cast<std::size_t>(i); };
     const auto named = e.vertices();
-    const auto is_true = [&](std::int64_t a, std::int64_t b) {
-        return a != b && is_present(static_cast<Index>(a)) && is_present(static_cast<Index>(b)) &&
-               targets[static_cast<std::size_t>(a)] == targets[static_cast<std::size_t>(b)];
-    };
-    if (named.size() == 2 && is_true(named[0], named[1]))
-        throw duplicate_point_error("vertices", "would have", named[0], named[1]);
-    if (const auto pair = coinciding<d>(targets, is_present))
-        throw duplicate_point_error("vertices", "would have", pair->first, pair->second);
+    const bool named_rightly = named.size() == 2 && named[0] != named[1] && is_present(static_cast<Index>(named[0])) &&
+                               is_present(static_cast<Index>(named[1])) && x[at(named[0])] == x[at(named[1])];
+    if (named_rightly) throw duplicate_point_error(what, have, sharing<d>(x, static_cast<Index>(named[0]), is_present));
+    if (const auto pair = coinciding<d>(x, is_present))
+        throw duplicate_point_error(what, have, sharing<d>(x, pair->first, is_present));
     throw;
 }
 

@@ -6,12 +6,12 @@
 namespace annulus::inline v1 {
 
 template <int d>
-void Rebuild_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report&) {
+void Rebuild_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_result&) {
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
 }
 
 template <int d>
-void Rebuild_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Rebuild_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_result& report) {
     mesh_.rebuild(x);
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();
@@ -19,7 +19,7 @@ void Rebuild_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_repor
 }
 
 template <int d>
-void Rebuild_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Rebuild_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (position_[at(v)] != p) {
         std::vector<Coordinates<d>> x = position_;
         x[at(v)] = p;

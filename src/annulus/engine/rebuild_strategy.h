@@ -4,6 +4,7 @@
 #include <annulus/engine/update_strategy.h>
 #include <annulus/kernel/delaunay_mesh.h>
 
+#include <limits>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -16,8 +17,8 @@ class Rebuild_strategy : public Update_strategy<d> {
     explicit Rebuild_strategy(Delaunay_mesh<d>& mesh, Strategy strategy = Strategy::rebuild)
         : Update_strategy<d>(strategy), mesh_(mesh) {}
 
-    void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void refresh_all(Move_report&) override {}
+    void begin(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void refresh_all(Move_result&) override {}
     [[nodiscard]] std::span<const Coordinates<d>> positions() const override { return position_; }
     [[nodiscard]] const Coordinates<d>& fixed_position(Index v) const override { return position_[at(v)]; }
     [[nodiscard]] std::optional<double> tolerance(Index) const override { return std::nullopt; }
@@ -25,19 +26,20 @@ class Rebuild_strategy : public Update_strategy<d> {
     [[nodiscard]] bool is_sequential() const override { return false; }
 
     /// O(n log n).
-    void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    void move_all(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_result& report) override;
     void add_vertex(Index v, const Coordinates<d>& p) override;
-    void refresh(std::span<const Cell_index>, Move_report&) override {}
+    void refresh(std::span<const Cell_index>, Move_result&) override {}
     [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
         position_.resize(bound);
         return position_;
     }
     void truncate(std::size_t bound) override { position_.resize(bound); }
     void restore_position(Index v, const Coordinates<d>& p) noexcept override { position_[at(v)] = p; }
+    void clear_position(Index v) noexcept override { position_[at(v)].fill(std::numeric_limits<double>::quiet_NaN()); }
 
-    void begin_transaction(std::span<const Coordinates<d>>, Move_report&) override { saved_ = position_; }
-    void commit_transaction(Move_report&) override { saved_.clear(); }
+    void begin_transaction(std::span<const Coordinates<d>>, Move_result&) override { saved_ = position_; }
+    void commit_transaction(Move_result&) override { saved_.clear(); }
     void rollback() noexcept override { position_.swap(saved_); }
     void resume_after_rollback() override {}
 

@@ -163,10 +163,10 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
     const Repair_result& result = flip_repair_.repair(path, step.budget);
     step.count(signs_.take_counts());
     if (!result.done || !holds_after_flips(step, result)) {
-        step.report.undone_flips += result.flips;
+        step.report.statistics.undone_flips += result.flips;
         return false;
     }
-    step.report.flips += result.flips;
+    step.report.statistics.flips += result.flips;
     step.reinserted = result.reinserted;
     return true;
 }

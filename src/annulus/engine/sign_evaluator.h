@@ -4,7 +4,7 @@
 #include <annulus/engine/budget.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/mesh/certificates.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/predicate/exact_sign.h>
 
 #include <optional>

@@ -6,7 +6,7 @@
 #include <annulus/engine/expiry_list.h>
 #include <annulus/engine/vertex_record.h>
 #include <annulus/internal/index.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 
 #include <cstdint>
 #include <span>
@@ -41,7 +41,7 @@ struct Step {
     std::vector<Index> anchored;   ///< vertices whose fixed position is the target by now
     std::uint64_t star_walks = 0;  ///< vertices all of whose certificates were tested
     Budget budget;                 ///< for everything that the step does
-    Move_report report;            ///< what was evaluated and flipped
+    Move_result report;            ///< what was evaluated and flipped
 
     // What Repair found and did.
     bool infeasible = false;             ///< repair would cost far more than it may, judging by a sample
@@ -53,8 +53,8 @@ struct Step {
 
     /// These certificates or signs were evaluated.
     void count(const Stage_counts& counts) {
-        report.evaluated += counts.total();
-        report.arithmetic += counts;
+        report.statistics.evaluated += counts.total();
+        report.statistics.arithmetic += counts;
     }
     /// Forgets what an examination found.
     void clear_findings() {

@@ -47,15 +47,15 @@ void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::
 /// of tolerance s expires after s / max |u| steps.
 template <int d>
 double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
-                                     std::span<const Coordinates<d>> x, Move_report& report) const {
+                                     std::span<const Coordinates<d>> x, Move_result& report) const {
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
     checker.begin(x);
     for (Index f = 0; f < bound; f += stride)
         if (table.is_facet(Corner_index(f))) checker.add_facet(Corner_index(f));
     const Stage_counts counts = checker.evaluate();
-    report.evaluated += counts.total();
-    report.arithmetic += counts;
+    report.statistics.evaluated += counts.total();
+    report.statistics.arithmetic += counts;
     double sum = 0.0;
     std::size_t sampled = 0;
     for (const auto& s : checker.facets()) {
@@ -74,7 +74,7 @@ double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_c
 
 template <int d>
 void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker,
-                                     std::span<const Coordinates<d>> x, bool each, Move_report& report) {
+                                     std::span<const Coordinates<d>> x, bool each, Move_result& report) {
     if (displacement_.empty()) return;
     double share = 0.0;
     try {

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/certificate_checker.h>
 #include <annulus/engine/cost_model.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 
 #include <cstdint>
 #include <span>
@@ -43,7 +43,7 @@ class Tolerance_policy {
     /// Decides by these displacements whether to recompute tolerances next; uses `checker` for a sample of tolerances
     /// at x.
     void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
-                    bool each, Move_report& report);
+                    bool each, Move_result& report);
     /// Whether tolerances would last, judging by the last time step; true once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
@@ -59,7 +59,7 @@ class Tolerance_policy {
 
   private:
     [[nodiscard]] double estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
-                                  std::span<const Coordinates<d>> x, Move_report& report) const;
+                                  std::span<const Coordinates<d>> x, Move_result& report) const;
 
     std::vector<Coordinates<d>> displacement_;  // recorded to check whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, in this time step

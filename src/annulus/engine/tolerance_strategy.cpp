@@ -46,8 +46,7 @@ bool Tolerance_strategy<d>::find_failed(Step<d>& step) const {
 /// Positions at free indices do not count.
 template <int d>
 void Tolerance_strategy<d>::require_domain(std::span<const Coordinates<d>> x) const {
-    for (std::size_t v = 0; v < x.size(); ++v)
-        if (is_present(v)) require_in_domain(x[v], "vertex", static_cast<Index>(v));
+    require_in_domain(x, "vertex", [this](std::size_t v) { return is_present(v) ? static_cast<Index>(v) : none; });
 }
 
 /// Whether finding what expired would already cost a good part of what repair may cost.
@@ -58,7 +57,7 @@ bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
 }
 
 template <int d>
-void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (displacement_budget_.kept() || means_ == Means::signs ||
         !tolerance_policy_.recomputes_for_single_move(mesh_.vertices())) {
         stop_rebuilding();
@@ -81,7 +80,7 @@ void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& 
 }
 
 template <int d>
-void Tolerance_strategy<d>::move_one(Index v, const Coordinates<d>& p, Move_report& report) {
+void Tolerance_strategy<d>::move_one(Index v, const Coordinates<d>& p, Move_result& report) {
     if (displacement_budget_.kept() ? displacement_budget_.passes(v, p) : p == position_[at(v)]) {
         position_[at(v)] = p;
         ANNULUS_TRACED(passed(displacement_budget_, v, p));
@@ -109,7 +108,7 @@ void Tolerance_strategy<d>::move_one(Index v, const Coordinates<d>& p, Move_repo
 }
 
 template <int d>
-void Tolerance_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::move_all(std::span<const Coordinates<d>> x, Move_result& report) {
     if (rebuilding_) {
         require_domain(x);
         ANNULUS_TRACED(untracking(displacement_budget_));
@@ -163,7 +162,7 @@ bool Tolerance_strategy<d>::examine(Step<d>& step) {
 /// previous ones; a duplicate point is found before anything is committed.
 template <int d>
 template <class Repair_call>
-void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_report& report) {
+void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_result& report) {
     try {
         if (!examine(step) && !repair()) {
             step.budget.charge(Rebuild_policy<d>::rebuild_cost(mesh_.vertices()));
@@ -179,14 +178,14 @@ void Tolerance_strategy<d>::process(Step<d>& step, Repair_call repair, Move_repo
 }
 
 template <int d>
-void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
+void Tolerance_strategy<d>::finish(Step<d>& step, Move_result& report) {
     const bool tolerances = step.scope == Scope::expired;
     const bool alone = step.mover != none;
     report += step.report;
-    report.cost += step.budget.spent;
-    report.star_walks += step.star_walks;
-    if (!alone) ++(tolerances ? report.tolerance_steps : report.sign_steps);
-    if (tolerances) tolerance_policy_.note_step(step.failed.size(), step.report.evaluated);
+    report.statistics.cost += step.budget.spent;
+    report.statistics.star_walks += step.star_walks;
+    if (!alone) ++(tolerances ? report.statistics.tolerance_steps : report.statistics.sign_steps);
+    if (tolerances) tolerance_policy_.note_step(step.failed.size(), step.report.statistics.evaluated);
     outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
     if (!step.rebuilt) {
         if (!alone) rebuild_policy_.repaired();
@@ -200,7 +199,7 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_report& report) {
 /// After a duplicate point, when cells have other numbers than those in the records.
 template <int d>
 void Tolerance_strategy<d>::renew_renumbered(const Step<d>& step) {
-    Move_report discarded;
+    Move_result discarded;
     if (step.renumbered_all && displacement_budget_.kept()) recompute_tolerances(position_, discarded);
     else if (!step.renumbered.empty()) refresh(step.renumbered, discarded);
 }

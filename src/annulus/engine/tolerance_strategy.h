@@ -10,6 +10,7 @@
 #include <annulus/engine/update_strategy.h>
 #include <annulus/options.h>
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -50,12 +51,12 @@ class Tolerance_strategy final : public Update_strategy<d> {
 
     /// Takes the present triangulation and positions x as they are, as Delaunay, and evaluates every certificate
     /// again. When it throws (bad_alloc), no position was written. O(n).
-    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
+    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_result& report);
     /// The same; without tolerances nothing is evaluated: the first time steps tell whether tolerances pay.
-    void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
+    void begin(std::span<const Coordinates<d>> x, Move_result& report) override;
     [[nodiscard]] bool begins_with_tolerances() const override { return means_ == Means::tolerances; }
-    void refresh_all(Move_report& report) override;
-    void refresh_rebuilt(Move_report& report) override {
+    void refresh_all(Move_result& report) override;
+    void refresh_rebuilt(Move_result& report) override {
         if (!rebuilding_) refresh_all(report);
     }
 
@@ -63,22 +64,23 @@ class Tolerance_strategy final : public Update_strategy<d> {
     /// duplicate_point when two would coincide. After any other exception (bad_alloc, Error(too_large)) positions()
     /// are as they were and all else is unspecified: rebuild there and recompute tolerances. Precondition: begun in
     /// dimension d.
-    void move_all(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    void move_all(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_result& report) override;
 
     /// While so many vertices fail that the signs around a vertex cost less than its tolerances, no tolerances are
     /// kept.
-    void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void move_sequentially(Index v, const Coordinates<d>& p, Move_report& report) override { move_one(v, p, report); }
-    void commit_transaction(Move_report& report) override;
+    void begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void move_sequentially(Index v, const Coordinates<d>& p, Move_result& report) override { move_one(v, p, report); }
+    void commit_transaction(Move_result& report) override;
     void rollback() noexcept override;
     void resume_after_rollback() override;
 
     /// Evaluates the certificates of these cells.
-    void refresh(std::span<const Cell_index> cells, Move_report& report) override;
+    void refresh(std::span<const Cell_index> cells, Move_result& report) override;
     /// Vertex v has position p, moving and fixed.
     void add_vertex(Index v, const Coordinates<d>& p) override;
     void restore_position(Index v, const Coordinates<d>& p) noexcept override;
+    void clear_position(Index v) noexcept override { position_[at(v)].fill(std::numeric_limits<double>::quiet_NaN()); }
     [[nodiscard]] std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) override {
         position_.resize(bound);
         return position_;
@@ -119,26 +121,26 @@ class Tolerance_strategy final : public Update_strategy<d> {
                                    std::vector<Index>& failed) const;
     void require_domain(std::span<const Coordinates<d>> x) const;
     [[nodiscard]] bool too_many_failed(const Step<d>& step) const;
-    void move_one(Index v, const Coordinates<d>& p, Move_report& report);
+    void move_one(Index v, const Coordinates<d>& p, Move_result& report);
     [[nodiscard]] bool examine(Step<d>& step);
     template <class Repair_call>
-    void process(Step<d>& step, Repair_call repair, Move_report& report);
-    void finish(Step<d>& step, Move_report& report);
+    void process(Step<d>& step, Repair_call repair, Move_result& report);
+    void finish(Step<d>& step, Move_result& report);
     void renew_renumbered(const Step<d>& step);
 
     // tolerance_strategy_state.cpp: how it starts, what it keeps, rebuilds.
     void resize();
     void stop_rebuilding();
-    void compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
-    void evaluate_all(std::span<const Coordinates<d>> x, Move_report& report);
+    void compute_tolerances(std::span<const Coordinates<d>> x, Move_result& report);
+    void evaluate_all(std::span<const Coordinates<d>> x, Move_result& report);
     void drop_tolerances();
-    void recompute_if_worthwhile(Move_report& report);
-    void recompute_afterwards(Move_report& report);
+    void recompute_if_worthwhile(Move_result& report);
+    void recompute_afterwards(Move_result& report);
     void note_displacements(std::span<const Coordinates<d>> x);
-    void end_step(bool each, Move_report& report);
+    void end_step(bool each, Move_result& report);
     [[nodiscard]] bool next_is_repaired(std::span<const Coordinates<d>> x);
     void rebuild(Step<d>& step);
-    void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report);
+    void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_result& report);
 
     Means means_;
     int threads_ = 1;

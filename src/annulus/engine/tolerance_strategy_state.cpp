@@ -27,7 +27,7 @@ void Tolerance_strategy<d>::stop_rebuilding() {
 }
 
 template <int d>
-void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_result& report) {
     const bool own = x.data() == position_.data();
     rebuilding_ = false;
     displacement_budget_.invalidate();
@@ -39,16 +39,16 @@ void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>>
 
 /// Computes the tolerances of everything at x.
 template <int d>
-void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x, Move_result& report) {
     tolerance_policy_.note_recomputed();
-    ++report.tolerance_recomputations;
+    ++report.statistics.tolerance_recomputations;
     displacement_budget_.begin(x);
     if (mesh_.dimension() == d) evaluate_all(x, report);
     displacement_budget_.finish_beginning();
 }
 
 template <int d>
-void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_result& report) {
     if (means_ == Means::tolerances) return recompute_tolerances(x, report);
     if (x.data() != position_.data()) position_.assign(x.begin(), x.end());
     drop_tolerances();
@@ -57,20 +57,20 @@ void Tolerance_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report
 }
 
 template <int d>
-void Tolerance_strategy<d>::refresh_all(Move_report& report) {
+void Tolerance_strategy<d>::refresh_all(Move_result& report) {
     if (means_ == Means::signs) return begin(position_, report);
     recompute_tolerances(position_, report);
 }
 
 template <int d>
-void Tolerance_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) {
     saved_ = position_;
     recompute_if_worthwhile(report);
     note_displacements(x);
 }
 
 template <int d>
-void Tolerance_strategy<d>::commit_transaction(Move_report& report) {
+void Tolerance_strategy<d>::commit_transaction(Move_result& report) {
     saved_.clear();
     end_step(true, report);
 }
@@ -83,14 +83,14 @@ void Tolerance_strategy<d>::rollback() noexcept {
 
 template <int d>
 void Tolerance_strategy<d>::resume_after_rollback() {
-    Move_report discarded;
+    Move_result discarded;
     refresh_all(discarded);
 }
 
 /// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
 /// same.
 template <int d>
-void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_report& report) {
+void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_result& report) {
     Certificate_checker<d>& checker = repair_.checker();
     const auto in_blocks = [&]<class I>(I bound, auto add) {
         const Index block = threads_ > 1 ? 1 << 16 : 1024;
@@ -100,8 +100,8 @@ void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move
             for (I i(first); i.value() < last; ++i) add(i);
             const Stage_counts counts = checker.evaluate();
             displacement_budget_.commit_fresh(checker);
-            report.evaluated += counts.total();
-            report.arithmetic += counts;
+            report.statistics.evaluated += counts.total();
+            report.statistics.arithmetic += counts;
         }
     };
     in_blocks(table_.facet_bound(), [&](Corner_index f) {
@@ -141,7 +141,7 @@ void Tolerance_strategy<d>::truncate(std::size_t bound) {
 }
 
 template <int d>
-void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
+void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_result& report) {
     if (rebuilding_) return;
     resize();
     if (!displacement_budget_.kept()) return;
@@ -152,8 +152,8 @@ void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_repo
     checker.add_cells(cells);
     const Stage_counts counts = checker.evaluate();
     displacement_budget_.commit(step, checker);
-    report.evaluated += counts.total();
-    report.arithmetic += counts;
+    report.statistics.evaluated += counts.total();
+    report.statistics.arithmetic += counts;
 }
 
 /// Displacements are recorded from time to time while no tolerances are kept, unless they never are.
@@ -164,7 +164,7 @@ void Tolerance_strategy<d>::note_displacements(std::span<const Coordinates<d>> x
 }
 
 template <int d>
-void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
+void Tolerance_strategy<d>::end_step(bool each, Move_result& report) {
     if (displacement_budget_.kept()) {
         if (tolerance_policy_.end_step_with_tolerances(each, mesh_.vertices())) drop_tolerances();
     } else if (each) {
@@ -177,7 +177,7 @@ void Tolerance_strategy<d>::end_step(bool each, Move_report& report) {
 /// the one that decided it: at its beginning it is not known whether a rebuild is to come. The two together cost no
 /// more than a time step may.
 template <int d>
-void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
+void Tolerance_strategy<d>::recompute_afterwards(Move_result& report) {
     static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
     try {
         recompute_if_worthwhile(report);
@@ -186,9 +186,9 @@ void Tolerance_strategy<d>::recompute_afterwards(Move_report& report) {
 }
 
 template <int d>
-void Tolerance_strategy<d>::recompute_if_worthwhile(Move_report& report) {
+void Tolerance_strategy<d>::recompute_if_worthwhile(Move_result& report) {
     if (!tolerance_policy_.take_recomputation()) return;
-    report.cost += Cost_model<d>::recomputation * static_cast<double>(mesh_.vertices());
+    report.statistics.cost += Cost_model<d>::recomputation * static_cast<double>(mesh_.vertices());
     recompute_tolerances(position_, report);
 }
 
@@ -204,12 +204,12 @@ bool Tolerance_strategy<d>::next_is_repaired(std::span<const Coordinates<d>> x) 
 }
 
 template <int d>
-void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_report& report) {
-    report.cost += Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
+void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_result& report) {
+    report.statistics.cost += Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     mesh_.rebuild(x);
     if (last) stop_rebuilding();
     std::copy(x.begin(), x.end(), position_.begin());
-    ++report.rebuild_steps;
+    ++report.statistics.rebuild_steps;
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();
 }

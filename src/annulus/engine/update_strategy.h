@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/internal/index.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 #include <annulus/types.h>
 
@@ -30,13 +30,13 @@ class Update_strategy {
 
     /// Takes the present triangulation and positions x as they are, as Delaunay. When it throws, no position was
     /// written. O(n).
-    virtual void begin(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    virtual void begin(std::span<const Coordinates<d>> x, Move_result& report) = 0;
     /// Whether `begin` computes every tolerance.
     [[nodiscard]] virtual bool begins_with_tolerances() const { return false; }
     /// Recomputes every tolerance, if tolerances are kept. O(n).
-    virtual void refresh_all(Move_report& report) = 0;
+    virtual void refresh_all(Move_result& report) = 0;
     /// To be called after other code has replaced all cells.
-    virtual void refresh_rebuilt(Move_report& report) { refresh_all(report); }
+    virtual void refresh_rebuilt(Move_result& report) { refresh_all(report); }
 
     [[nodiscard]] virtual std::span<const Coordinates<d>> positions() const = 0;
     /// The fixed position, from which D is measured; for strategies without tolerances the position. Precondition:
@@ -49,32 +49,34 @@ class Update_strategy {
     [[nodiscard]] virtual bool repairs() const = 0;
 
     /// A time step to x is about to begin.
-    virtual void before_step(std::span<const Coordinates<d>> x, Move_report& report) {
+    virtual void before_step(std::span<const Coordinates<d>> x, Move_result& report) {
         static_cast<void>(x);
         static_cast<void>(report);
     }
     /// Moves every vertex to x.
-    virtual void move_all(std::span<const Coordinates<d>> x, Move_report& report) = 0;
+    virtual void move_all(std::span<const Coordinates<d>> x, Move_result& report) = 0;
     /// Moves one vertex. Precondition: p is in the coordinate domain.
-    virtual void move(Index v, const Coordinates<d>& p, Move_report& report) = 0;
+    virtual void move(Index v, const Coordinates<d>& p, Move_result& report) = 0;
 
     /// The positions, for an insertion, resized to the bound.
     [[nodiscard]] virtual std::span<Coordinates<d>> resize_for_insertion(std::size_t bound) = 0;
     /// Vertex v has position p; it was not in the triangulation, and is now.
     virtual void add_vertex(Index v, const Coordinates<d>& p) = 0;
     /// To be called after other code has replaced these cells (insertion, removal) at the present positions.
-    virtual void refresh(std::span<const Cell_index> cells, Move_report& report) = 0;
+    virtual void refresh(std::span<const Cell_index> cells, Move_result& report) = 0;
     /// truncate() drops the positions from this index on; restore_position() writes one position and nothing else.
     /// After either, a rebuild and `begin` must follow.
     virtual void truncate(std::size_t bound) = 0;
     virtual void restore_position(Index v, const Coordinates<d>& p) noexcept = 0;
+    /// v is no vertex any more: from now on its position is NaN.
+    virtual void clear_position(Index v) noexcept = 0;
 
     // A time step of single moves, which is undone as a whole when one of them is refused.
     /// Saves the present state. x are the targets of the vertices.
-    virtual void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) = 0;
-    virtual void commit_transaction(Move_report& report) = 0;
+    virtual void begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) = 0;
+    virtual void commit_transaction(Move_result& report) = 0;
     /// A single move of such a time step, without a check whether tolerances pay.
-    virtual void move_sequentially(Index v, const Coordinates<d>& p, Move_report& report) { move(v, p, report); }
+    virtual void move_sequentially(Index v, const Coordinates<d>& p, Move_result& report) { move(v, p, report); }
     /// Restores the positions, and what is kept with them, as saved.
     virtual void rollback() noexcept = 0;
     /// The positions at which the triangulation is Delaunay; after rollback(), those at which it is to be rebuilt

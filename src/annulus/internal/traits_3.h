@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/internal/traits.h>
 #include <annulus/internal/types_3.h>
+
+#include <type_traits>
 
 namespace annulus::inline v1 {
 
 /// What Cgal_view uses of CGAL's 3D triangulation.
-template <class Info>
-struct Cgal_traits_3 {
+template <class Gt, class Tds_, class Location, class Lock>
+struct Cgal_traits<CGAL::Delaunay_triangulation_3<Gt, Tds_, Location, Lock>> {
+    static_assert(std::is_same_v<Gt, Kernel>,
+                  "the kernel must be CGAL's Exact_predicates_inexact_constructions_kernel");
     static constexpr int dimension = 3;
-    using Triangulation = Delaunay_3<Info>;
+    using Triangulation = CGAL::Delaunay_triangulation_3<Gt, Tds_, Location, Lock>;
     using Point = typename Triangulation::Point;
+    using Vertex = typename Triangulation::Vertex;
+    using Cell = typename Triangulation::Cell;
     using Vertex_handle = typename Triangulation::Vertex_handle;
     using Cell_handle = typename Triangulation::Cell_handle;
     using Tds = typename Triangulation::Triangulation_data_structure;
@@ -29,5 +36,9 @@ struct Cgal_traits_3 {
     [[nodiscard]] static Cell_handle create_cell(Tds& tds) { return tds.create_cell(); }
     static void delete_cell(Tds& tds, Cell_handle c) { tds.delete_cell(c); }
 };
+
+/// With the caller's Info at the vertices.
+template <class Info>
+using Cgal_traits_3 = Cgal_traits<Delaunay_3<Info>>;
 
 }  // namespace annulus::inline v1

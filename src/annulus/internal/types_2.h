@@ -24,6 +24,7 @@ class Indexed_vertex_base_2 : public Vb {
     static_assert(std::is_nothrow_default_constructible_v<Info>, "the default constructor of Info must be noexcept");
 
   public:
+    using Annulus_number = Index;
     using Face_handle = typename Vb::Face_handle;
     using Point = typename Vb::Point;
     template <class TDS2>
@@ -43,6 +44,7 @@ class Indexed_vertex_base_2 : public Vb {
 template <class Gt, class Fb = CGAL::Triangulation_face_base_2<Gt>>
 class Indexed_face_base_2 : public Fb {
   public:
+    using Annulus_number = Index;
     template <class TDS2>
     struct Rebind_TDS {
         using Fb2 = typename Fb::template Rebind_TDS<TDS2>::Other;

@@ -24,6 +24,7 @@ class Indexed_vertex_base_3 : public Vb {
     static_assert(std::is_nothrow_default_constructible_v<Info>, "the default constructor of Info must be noexcept");
 
   public:
+    using Annulus_number = Index;
     using Cell_handle = typename Vb::Cell_handle;
     using Point = typename Vb::Point;
     template <class TDS2>
@@ -43,6 +44,7 @@ class Indexed_vertex_base_3 : public Vb {
 template <class Gt, class Cb = CGAL::Delaunay_triangulation_cell_base_3<Gt>>
 class Indexed_cell_base_3 : public Cb {
   public:
+    using Annulus_number = Index;
     template <class TDS2>
     struct Rebind_TDS {
         using Cb2 = typename Cb::template Rebind_TDS<TDS2>::Other;

@@ -12,47 +12,69 @@ namespace annulus::inline v1 {
 
 template <class Traits>
 Cgal_view<Traits>::Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x) : mesh_(mesh) {
-    tr_.infinite_vertex()->set_index(infinite);
     handle_.resize(x.size());
-    create_vertices();
+    create_vertices([this](Index) { return tr_.tds().create_vertex(); });
+    mesh_.set_dirty_cells(dirty_cells_);
+}
+
+template <class Traits>
+template <class Original>
+Cgal_view<Traits>::Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x, Original original) : mesh_(mesh) {
+    handle_.resize(x.size());
+    create_vertices([&](Index v) {
+        const Vertex& copied = *original(v);
+        return tr_.tds().create_vertex(copied);
+    });
     mesh_.set_dirty_cells(dirty_cells_);
 }
 
 /// In the order of cells, which is a spatial one, so that vertices near each other are near in memory.
 template <class Traits>
-void Cgal_view<Traits>::create_vertices() {
-    const auto create = [this](Index v) {
+template <class Create>
+void Cgal_view<Traits>::create_vertices(Create create) {
+    numbers_.add(tr_.infinite_vertex());
+    numbers_.set(tr_.infinite_vertex(), infinite);
+    const auto create_one = [&](Index v) {
         if (v < 0 || handle_[at(v)] != Vertex_handle() || !mesh_.has(v)) return;
-        handle_[at(v)] = tr_.tds().create_vertex();
-        handle_[at(v)]->set_index(v);
+        handle_[at(v)] = create(v);
+        numbers_.add(handle_[at(v)]);
+        numbers_.set(handle_[at(v)], v);
     };
     const Table_cells<d> t = mesh_.cells();
     for (const Cell_index c : t.cells())
-        for (const Index v : t.vertices(c)) create(v);
-    for (std::size_t v = 0; v < handle_.size(); ++v) create(static_cast<Index>(v));
+        for (const Index v : t.vertices(c)) create_one(v);
+    for (std::size_t v = 0; v < handle_.size(); ++v) create_one(static_cast<Index>(v));
 }
 
 template <class Traits>
 void Cgal_view<Traits>::reserve_vertex() {
     if (handle_.size() == handle_.capacity()) handle_.reserve(2 * handle_.size() + 1);
     spare_ = tr_.tds().create_vertex();
+    try {
+        numbers_.add(spare_);
+    } catch (...) {
+        tr_.tds().delete_vertex(std::exchange(spare_, Vertex_handle()));
+        throw;
+    }
 }
 
 template <class Traits>
 void Cgal_view<Traits>::drop_reserved() noexcept {
+    numbers_.forget(spare_);
     tr_.tds().delete_vertex(std::exchange(spare_, Vertex_handle()));
 }
 
 template <class Traits>
 auto Cgal_view<Traits>::adopt(Index v, const Coordinates<d>& p) noexcept -> Vertex_handle {
     if (at(v) >= handle_.size()) handle_.resize(at(v) + 1);
-    spare_->set_index(v);
+    numbers_.set(spare_, v);
     spare_->set_point(point(p));
     return handle_[at(v)] = std::exchange(spare_, Vertex_handle());
 }
 
 template <class Traits>
 void Cgal_view<Traits>::forget(Index v) noexcept {
+    numbers_.forget(handle_[at(v)]);
     tr_.tds().delete_vertex(std::exchange(handle_[at(v)], Vertex_handle()));
 }
 
@@ -60,10 +82,10 @@ template <class Traits>
 void Cgal_view<Traits>::invalidate(Index v) noexcept {
     constexpr std::size_t share = 16;
     state_.current = false;
-    if (moved_.all) return;
-    if (share * moved_.vertices.size() > handle_.size()) return invalidate();
+    if (state_.moved.all) return;
+    if (share * state_.moved.vertices.size() > handle_.size()) return invalidate();
     try {
-        moved_.vertices.push_back(v);
+        state_.moved.vertices.push_back(v);
     } catch (const std::bad_alloc&) {
         invalidate();
     }
@@ -82,8 +104,8 @@ auto Cgal_view<Traits>::update(std::span<const Coordinates<d>> x) const -> const
     }
     dirty_cells_.clear();
     update_points(x);
-    moved_.vertices.clear();
-    moved_.all = false;
+    state_.moved.vertices.clear();
+    state_.moved.all = false;
     state_.current.store(true, std::memory_order_release);
     return tr_;
 }
@@ -101,17 +123,18 @@ void Cgal_view<Traits>::update_points(std::span<const Coordinates<d>> x) const {
     const auto show = [&](std::size_t v) {
         if (v < handle_.size() && handle_[v] != Vertex_handle()) handle_[v]->set_point(point(x[v]));
     };
-    if (moved_.all)
+    if (state_.moved.all)
         for (std::size_t v = 0; v < handle_.size(); ++v) show(v);
     else
-        for (const Index v : moved_.vertices) show(at(v));
+        for (const Index v : state_.moved.vertices) show(at(v));
 }
 
 /// Writes the vertices and neighbours of a cell. Precondition: each neighbour has a CGAL cell.
 template <class Traits>
 void Cgal_view<Traits>::write_cell(const Table_cells<d>& t, Cell_index c) const {
     const Cell_handle cell = cell_[c];
-    cell->set_cell(c.value());
+    if constexpr (Has_number<Cell>) cell->set_cell(c.value());
+    else *cell = Cell();
     for (int i = 0; i <= d; ++i) {
         const Corner_index twin = t.twin(t.corner(c, i));
         const Vertex_handle v = vertex_of(t.vertex(t.corner(c, i)));

@@ -5,6 +5,7 @@
 #include <annulus/audit.h>
 #include <annulus/internal/compiler_flags.h>
 #include <annulus/internal/mesh_access.h>
+#include <annulus/internal/vertex_numbers.h>
 
 #include <array>
 #include <atomic>
@@ -14,12 +15,12 @@
 
 namespace annulus::inline v1 {
 
-/// A mesh as a CGAL triangulation: a copy, brought up to date on request. Traits is Cgal_traits_2<Info> or
-/// Cgal_traits_3<Info>.
+/// A mesh as a CGAL triangulation: a copy, brought up to date on request. Traits is Cgal_traits of that triangulation's
+/// type.
 ///
 /// Vertices are created and removed with those of the mesh, so handles and info live as long as these. Cells and
 /// points follow in update(), by a log of what has changed (Dirty_cells). Cells are overwritten in place, which costs
-/// a tenth of creating them.
+/// a tenth of creating them. A cell base of the caller's is reset first, so that data of a cell that went do not stay.
 template <class Traits>
 class Cgal_view {
   public:
@@ -27,6 +28,8 @@ class Cgal_view {
     static constexpr int dimension_of_space = d;
     using Triangulation = typename Traits::Triangulation;
     using Point = typename Traits::Point;
+    using Vertex = typename Traits::Vertex;
+    using Cell = typename Traits::Cell;
     using Vertex_handle = typename Traits::Vertex_handle;
     using Cell_handle = typename Traits::Cell_handle;
 
@@ -35,6 +38,9 @@ class Cgal_view {
 
     /// Copies a mesh that is built, at positions x. The mesh must not change any more once the view is gone. O(n).
     Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x);
+    /// The same, with the data of other vertices: vertex v begins as a copy of *original(v).
+    template <class Original>
+    Cgal_view(Mesh_access<d> mesh, std::span<const Coordinates<d>> x, Original original);
     Cgal_view(const Cgal_view&) = delete;
     Cgal_view& operator=(const Cgal_view&) = delete;
 
@@ -46,12 +52,17 @@ class Cgal_view {
     void invalidate_cells() noexcept { state_.current = false; }
     void invalidate(Index v) noexcept;
     void invalidate() noexcept {
-        moved_.all = true;
+        state_.moved.all = true;
         state_.current = false;
     }
 
     /// Null for a free index.
     [[nodiscard]] Vertex_handle handle(Index v) const { return handle_[at(v)]; }
+    /// A number below 0 for a vertex that is none of ours. Precondition: not null.
+    [[nodiscard]] Index index(Vertex_handle v) const {
+        const Index i = numbers_.of(v);
+        return i >= 0 && at(i) < handle_.size() && handle_[at(i)] == v ? i : none;
+    }
     /// Creates a vertex for adopt() to take or drop_reserved() to remove. Throws bad_alloc, with nothing changed.
     void reserve_vertex();
     void drop_reserved() noexcept;
@@ -72,10 +83,10 @@ class Cgal_view {
         return v == infinite ? tr_.infinite_vertex() : handle_[at(v)];
     }
     [[nodiscard]] Points points_of(Cell_handle c) const;
-    [[nodiscard]] static Cell_index number_of(Cell_handle c) { return Cell_index(c->cell()); }
 
     // update.h
-    void create_vertices();
+    template <class Create>
+    void create_vertices(Create create);
     void update_cells(std::span<const Coordinates<d>> x) const;
     void update_points(std::span<const Coordinates<d>> x) const;
     void write_cells(std::span<const Cell_index> cells) const;
@@ -96,15 +107,16 @@ class Cgal_view {
     struct State {
         std::atomic<bool> current = false;
         std::mutex updating;
+        Moved moved;
     };
 
     Mesh_access<d> mesh_;
     mutable Triangulation tr_;
     std::vector<Vertex_handle> handle_;  // by vertex; default for a free index
+    Vertex_numbers<Vertex, Vertex_handle> numbers_;
     Vertex_handle spare_;                // made by reserve_vertex()
     mutable By_cell<Cell_handle> cell_;  // by cell of the mesh
     mutable Dirty_cells dirty_cells_;
-    mutable Moved moved_;
     mutable State state_;
 };
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <string>
+#include <unordered_map>
 
 namespace annulus::inline v1 {
 
@@ -36,9 +37,7 @@ template <std::size_t n>
 template <class Traits>
 bool Cgal_view<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_result& result) const {
     const auto ours = [this](Vertex_handle v) {
-        return v != Vertex_handle() &&
-               (v == tr_.infinite_vertex() ||
-                (v->index() >= 0 && at(v->index()) < handle_.size() && handle_[at(v->index())] == v));
+        return v != Vertex_handle() && (v == tr_.infinite_vertex() || index(v) >= 0);
     };
     std::size_t found = 0;
     auto& tds = tr_.tds();
@@ -47,17 +46,18 @@ bool Cgal_view<Traits>::audit_vertices(std::span<const Coordinates<d>> x, Audit_
         if (v == tr_.infinite_vertex()) continue;
         if (!ours(v)) {
             detail::object_fault(
-                result, "CGAL's object has a vertex whose index is not its own: " + std::to_string(v->index()));
+                result, "CGAL's object has a vertex whose index is not its own: " + std::to_string(numbers_.of(v)));
             continue;
         }
+        const Index i = index(v);
         ++found;
         if (tr_.dimension() == d && (Traits::cell_of(v) == Cell_handle() || !Traits::cell_of(v)->has_vertex(v)))
-            detail::object_fault(result, "the cell that CGAL's object has for vertex " + std::to_string(v->index()) +
-                                             " is not around it");
+            detail::object_fault(
+                result, "the cell that CGAL's object has for vertex " + std::to_string(i) + " is not around it");
         const Coordinates<d> place = coordinates(v->point());
-        if (place != x[at(v->index())])
-            detail::object_fault(result, "the point of vertex " + std::to_string(v->index()) + " in CGAL's object is " +
-                                             detail::written(place) + ", not " + detail::written(x[at(v->index())]));
+        if (place != x[at(i)])
+            detail::object_fault(result, "the point of vertex " + std::to_string(i) + " in CGAL's object is " +
+                                             detail::written(place) + ", not " + detail::written(x[at(i)]));
     }
     const auto present = static_cast<std::size_t>(
         std::count_if(handle_.begin(), handle_.end(), [](Vertex_handle v) { return v != Vertex_handle(); }));
@@ -90,6 +90,18 @@ void Cgal_view<Traits>::audit_adjacency(Audit_result& result) const {
         return true;
     };
     const Table_cells<d> t = mesh_.cells();
+    std::unordered_map<const Cell*, Cell_index> numbers;  // of cells whose base has no place for one
+    if constexpr (!Has_number<Cell>)
+        for (const Cell_index c : t.cells())
+            if (cell_.has(c) && cell_[c] != Cell_handle()) numbers[&*cell_[c]] = c;
+    const auto number_of = [&](Cell_handle c) {
+        if constexpr (Has_number<Cell>) {
+            return Cell_index(c->cell());
+        } else {
+            const auto it = numbers.find(&*c);
+            return it == numbers.end() ? no_cell : it->second;
+        }
+    };
     std::size_t found = 0;
     Traits::for_each_cell(tr_, [&](Cell_handle c) {
         const Cell_index number = number_of(c);
@@ -119,7 +131,7 @@ template <class Traits>
 auto Cgal_view<Traits>::points_of(Cell_handle c) const -> Points {
     Points x{};
     for (int i = 0; i <= d; ++i)
-        x[static_cast<std::size_t>(i)] = tr_.is_infinite(c->vertex(i)) ? infinite : c->vertex(i)->index();
+        x[static_cast<std::size_t>(i)] = tr_.is_infinite(c->vertex(i)) ? infinite : numbers_.of(c->vertex(i));
     return x;
 }
 

@@ -30,8 +30,8 @@ bool Builder<d>::build(std::span<const Coordinates<d>> x, std::span<const Index>
 
 template <int d>
 void Builder<d>::throw_duplicate(Rank taken, Rank v) const {
-    throw duplicate_point_error("points", "have", order_[static_cast<std::size_t>(taken)],
-                                order_[static_cast<std::size_t>(v)]);
+    throw duplicate_point_error("points", "have",
+                                {order_[static_cast<std::size_t>(taken)], order_[static_cast<std::size_t>(v)]});
 }
 
 template <int d>

@@ -22,8 +22,9 @@ template <int d>
 Delaunay_mesh<d>::~Delaunay_mesh() = default;
 
 template <int d>
-void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x) {
+void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x, std::span<const Index> free) {
     vertices_.assign(x.size());
+    for (const Index v : free) vertices_.erase(v);
     rebuild(x);
     builder_->release();  // some meshes are never rebuilt
 }

@@ -46,7 +46,9 @@ class Delaunay_mesh {
     void set_threads(int threads) { threads_ = threads; }
     /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point), naming the pair, when two points are
     /// equal, and Error(too_large). Expected O(n).
-    void build(std::span<const Coordinates<d>> x);
+    void build(std::span<const Coordinates<d>> x) { build(x, {}); }
+    /// The same but for these indices, each once, which are free.
+    void build(std::span<const Coordinates<d>> x, std::span<const Index> free);
     /// Rebuilds everything at x. Throws the same errors, with nothing changed.
     void rebuild(std::span<const Coordinates<d>> x);
     /// The same after a call that failed half way: x has a position for every index that is to exist. `fresh` (or

@@ -55,9 +55,12 @@ double Delaunay_mesh<d>::theta(std::span<const Coordinates<d>> positions, Index 
 
 template <int d>
 Measures Delaunay_mesh<d>::measure(std::span<const Coordinates<d>> positions) const {
-    if (dimension_ == d) return annulus::measure<d>(table_, positions);
     Measures m;
-    m.tolerance.assign(vertices_.bound(), std::numeric_limits<double>::infinity());
+    if (dimension_ == d) m = annulus::measure<d>(table_, positions);
+    else m.tolerance.assign(positions.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t v = 0; v < m.tolerance.size(); ++v)
+        if (v >= vertices_.bound() || !has(static_cast<Index>(v)))
+            m.tolerance[v] = std::numeric_limits<double>::quiet_NaN();
     return m;
 }
 

@@ -78,7 +78,7 @@ void require_distinct(std::span<const Coordinates<d>> x, std::vector<Index> vert
     const auto at = [x](Index i) { return x[static_cast<std::size_t>(i)]; };
     const auto twice =
         std::adjacent_find(vertices.begin(), vertices.end(), [&at](Index l, Index r) { return at(l) == at(r); });
-    if (twice != vertices.end()) throw duplicate_point_error("points", "have", *twice, *(twice + 1));
+    if (twice != vertices.end()) throw duplicate_point_error("points", "have", {*twice, *(twice + 1)});
 }
 
 template <int d>

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/error.h>
 #include <annulus/types.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -27,6 +33,18 @@ using Corners = std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)>;
 /// Error(bad_input) for a cell that is not positive.
 template <int d>
 [[nodiscard]] Circumcentre<d> circumcentre(const Corners<d>& x, double scale);
+
+/// The same for the cell of these vertices, which the error names.
+template <int d>
+[[nodiscard]] Circumcentre<d> circumcentre_of(std::span<const Index> vertices, const Corners<d>& x, double scale) {
+    try {
+        return circumcentre<d>(x, scale);
+    } catch (const Error& e) {
+        std::vector<std::int64_t> names(vertices.begin(), vertices.end());
+        std::sort(names.begin(), names.end());
+        throw Error(e.code(), e.what(), std::move(names));
+    }
+}
 
 extern template Circumcentre<2> circumcentre(const Corners<2>&, double);
 extern template Circumcentre<3> circumcentre(const Corners<3>&, double);

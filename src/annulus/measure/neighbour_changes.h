@@ -19,7 +19,7 @@ struct Neighbour_change {
 };
 
 /// Pairs of points that became neighbours or ceased to be, from the cells that were added and removed
-/// (Move_report::changed and gone). An edge of a removed cell still exists if and only if an added cell has it: where
+/// (Move_result::changed and gone). An edge of a removed cell still exists if and only if an added cell has it: where
 /// some cells around an edge are removed and others stay, an added cell is next to one that stays. So unchanged cells
 /// are not read. In 2D a flip is one pair broken and one made, a T1 transition.
 ///

@@ -63,7 +63,9 @@ class Exact_star {
             if (i != own_[k]) others[n++] = &corner_[k][i];
         const auto note = [&](auto&& t) {
             if (sgn(t.denominator) == 0)
-                throw Error(Error_code::bad_input, "a cell is flat: its Voronoi vertex is nowhere");
+                throw Error(
+                    Error_code::bad_input, "a cell is flat: its Voronoi vertex is nowhere",
+                    std::vector<std::int64_t>(cells_.vertices[around_[k]].begin(), cells_.vertices[around_[k]].end()));
             numerator_.push_back(std::move(t.numerator));
             denominator_.push_back(2 * t.denominator);
         };
@@ -94,7 +96,8 @@ class Exact_star {
                 const auto found = std::lower_bound(around_.begin(), around_.end(), other);
                 if (found == around_.end() || *found != other)
                     throw Error(Error_code::bad_input,
-                                "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it");
+                                "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it",
+                                {v_});
                 const Integers<d>& from = centre_[k];
                 const Integers<d>& to = centre_[static_cast<std::size_t>(found - around_.begin())];
                 if constexpr (d == 2) add(edge(k, facet_corners<2>[i][0], facet_corners<2>[i][1]), from, to);

@@ -191,8 +191,12 @@ void Kept_voronoi_volumes<d>::find_circumcentres(std::span<const Cell_index> cel
     for (const Cell_index c : cells) {
         if (table().is_infinite(c)) continue;
         Corners<d> corners;
-        for (std::size_t i = 0; i <= d; ++i) corners[i] = x_[at(of.corner(c.value(), i))];
-        centre_[c.offset()] = circumcentre<d>(corners, unit);
+        std::array<Index, static_cast<std::size_t>(d + 1)> vertices{};
+        for (std::size_t i = 0; i <= d; ++i) {
+            vertices[i] = of.corner(c.value(), i);
+            corners[i] = x_[at(vertices[i])];
+        }
+        centre_[c.offset()] = circumcentre_of<d>(vertices, corners, unit);
     }
 }
 

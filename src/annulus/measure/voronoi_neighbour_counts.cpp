@@ -44,7 +44,7 @@ std::vector<Index> voronoi_neighbour_counts(std::size_t n, const Mesh_cells<d>& 
             if (v == none) flat = true;
             else if (v < 0 || at(v) >= n)
                 throw Error(Error_code::unknown_vertex,
-                            "a cell names vertex " + std::to_string(v) + " of " + std::to_string(n));
+                            "a cell names vertex " + std::to_string(v) + " of " + std::to_string(n), {v});
         }
     if (flat) {
         count_edges<d>(cells, count);

@@ -73,9 +73,9 @@ class Fresh_volumes {
                 if (padded && v == none) continue;
                 if (v < 0 || at(v) >= x_.size())
                     throw Error(Error_code::unknown_vertex,
-                                "a cell names vertex " + std::to_string(v) + " of " + std::to_string(x_.size()));
+                                "a cell names vertex " + std::to_string(v) + " of " + std::to_string(x_.size()), {v});
                 if (where_[at(v)] != Vertex_location::nowhere) continue;
-                require_in_domain(x_[at(v)]);
+                require_in_domain(x_[at(v)], "vertex", v);
                 for (const double k : x_[at(v)]) largest = std::max(largest, std::fabs(k));
                 where_[at(v)] = Vertex_location::inside;
             }
@@ -97,7 +97,7 @@ class Fresh_volumes {
         for (std::size_t c = 0; c < centre_.size(); ++c) {
             Corners<d> corners;
             for (std::size_t i = 0; i <= d; ++i) corners[i] = x_[at(cells_.vertices[c][i])];
-            centre_[c] = circumcentre<d>(corners, scale);
+            centre_[c] = circumcentre_of<d>(cells_.vertices[c], corners, scale);
         }
     }
 

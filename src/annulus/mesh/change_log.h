@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -17,6 +18,9 @@ namespace annulus::inline v1 {
 /// The cells that a Corner_table has lost since begin(), and the places that were written to, however often they were
 /// written to and whatever is there now. The table calls record() before it writes. Memory: a mark for each cell of
 /// the table, and the cells that went. O(1) for each write.
+///
+/// On request it also saves the positions before the first write, so that a call that writes no cell, the common one,
+/// does not pay for saving them.
 template <int d>
 class Change_log {
   public:
@@ -32,6 +36,26 @@ class Change_log {
         written_.clear();
         gone_.clear();
         replaced_ = failed_ = false;
+        saved_.clear();
+        to_save_ = {};
+    }
+    /// Positions x, which do not change before the first cell is written, are to be saved then. Throws bad_alloc;
+    /// saving itself does not. O(1): the memory that is reserved here is not touched.
+    void save_positions(std::span<const Coordinates<d>> x) {
+        saved_.reserve(x.size());
+        to_save_ = x;
+    }
+    /// Saves them at once.
+    void save_now() noexcept {
+        saved_.assign(to_save_.begin(), to_save_.end());
+        to_save_ = {};
+    }
+    /// Empty while no cell has been written.
+    [[nodiscard]] std::span<const Coordinates<d>> saved_positions() const noexcept { return saved_; }
+    /// Frees their memory.
+    void forget_positions() noexcept {
+        std::vector<Coordinates<d>>().swap(saved_);
+        to_save_ = {};
     }
 
     /// Cell c of this table is about to be overwritten. Never throws, since tables are also cleared in code that must
@@ -39,6 +63,7 @@ class Change_log {
     template <class Table>
     void record(Cell_index c, const Table& table) noexcept {
         if (replaced_ || failed_ || (marked_.has(c) && marked_[c] == call_)) return;
+        if (!to_save_.empty()) save_now();
         try {
             if (!marked_.has(c)) marked_.resize(std::max(c.offset() + 1, 2 * marked_.size()), 0);
             written_.push_back(c);
@@ -52,6 +77,7 @@ class Change_log {
     template <class Table>
     void record_all(const Table& table) noexcept {
         if (replaced_ || failed_) return;
+        if (!to_save_.empty()) save_now();
         replaced_ = true;
         try {
             for (const Cell_index c : table.cells()) {
@@ -86,6 +112,8 @@ class Change_log {
     std::vector<Sites> gone_;
     bool replaced_ = false;
     bool failed_ = false;
+    std::span<const Coordinates<d>> to_save_;
+    std::vector<Coordinates<d>> saved_;
 };
 
 }  // namespace annulus::inline v1

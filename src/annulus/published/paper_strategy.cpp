@@ -12,7 +12,7 @@
 namespace annulus::inline v1 {
 
 template <int d>
-void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (!has_switched()) return Rebuild_strategy<d>::move(v, p, report);
     const Coordinates<d> old = std::exchange(this->position_[at(v)], p);
     if (passes(v)) {
@@ -44,7 +44,7 @@ void Paper_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& repo
 
 /// Relocates h, the vertex that moves (`first`) or one from the queue, unless it is still in its safe region.
 template <int d>
-void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
+void Paper_strategy<d>::process(Index h, Move_result& report, bool first) {
     std::vector<Cell_index> changed;
     auto outcome = &Move_counts::rebuilt;
     const bool stays = safe_region_ && is_in_safe_region(h);
@@ -65,7 +65,7 @@ void Paper_strategy<d>::process(Index h, Move_report& report, bool first) {
         ++report.moves.asked;
         ++(report.moves.*outcome);
     } else if (!stays) {
-        ++report.requeued;
+        ++report.statistics.requeued;
     }
     if (stays) return;
     if (rebuilt) return recompute_tolerances(this->position_, report);
@@ -145,7 +145,7 @@ void Paper_strategy<d>::rebuild() {
 
 /// After a move that was interrupted and undone: rebuilds cells and tolerances at the moving positions, O(n).
 template <int d>
-void Paper_strategy<d>::begin_again(Move_report& report) {
+void Paper_strategy<d>::begin_again(Move_result& report) {
     try {
         rebuild();
     } catch (const Error&) {  // two coincide

@@ -40,24 +40,25 @@ class Paper_strategy : public Rebuild_strategy<d> {
           safe_region_(choice.safe_region && d == 2),
           random_(seed) {}
 
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_result& report) override;
     /// Recomputes every tolerance, with x as fixed and moving positions. When it throws, no position was written.
     /// O(n).
-    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report);
-    void begin(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void refresh_all(Move_report& report) override { begin(this->position_, report); }
+    void recompute_tolerances(std::span<const Coordinates<d>> x, Move_result& report);
+    void begin(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void refresh_all(Move_result& report) override { begin(this->position_, report); }
     /// Whether, of 40 random vertices, 75 % (55 % in 3D) have a tolerance above their displacement to x (paper 4.2).
     /// Preconditions: it still rebuilds, and the mesh has cells.
-    [[nodiscard]] bool sample_stays(std::span<const Coordinates<d>> x, Move_report& report);
+    [[nodiscard]] bool sample_stays(std::span<const Coordinates<d>> x, Move_result& report);
     /// Switches to tolerances if sample_stays(x). Checks at every fourth time step (paper 4.2).
-    void before_step(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void refresh(std::span<const Cell_index> cells, Move_report& report) override;
+    void before_step(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void refresh(std::span<const Cell_index> cells, Move_result& report) override;
     void add_vertex(Index v, const Coordinates<d>& p) override;
 
-    void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override;
-    void commit_transaction(Move_report& report) override;
+    void begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) override;
+    void commit_transaction(Move_result& report) override;
     void rollback() noexcept override;
     void resume_at_delaunay_positions() override;
+    void clear_position(Index v) noexcept override;
     [[nodiscard]] std::span<const Coordinates<d>> delaunay_positions() const override {
         const bool at_fixed = has_switched() && (safe_region_ || tolerances_.kind() != Tolerance_kind::certified);
         return at_fixed ? std::span<const Coordinates<d>>(state_.fixed) : this->positions();
@@ -84,17 +85,17 @@ class Paper_strategy : public Rebuild_strategy<d> {
     }
     void resize();
     void forget_queue() noexcept;
-    void compute_tolerances(Move_report& report);
+    void compute_tolerances(Move_result& report);
     void set_tolerance(Index v, double tolerance);
     void set_unlimited(Index v);
     void lower(Index v, double tolerance);
     void lower_points();
-    void process(Index h, Move_report& report, bool first);
+    void process(Index h, Move_result& report, bool first);
     [[nodiscard]] bool is_in_safe_region(Index h) const;
-    [[nodiscard]] bool stays(std::span<const Coordinates<d>> x, Index v, Move_report& report);
+    [[nodiscard]] bool stays(std::span<const Coordinates<d>> x, Index v, Move_result& report);
     [[nodiscard]] bool is_taken(Index h) const;
     void rebuild();
-    void begin_again(Move_report& report);
+    void begin_again(Move_result& report);
 
     /// Indexed by vertex.
     struct State {

@@ -30,7 +30,7 @@ void Paper_strategy<d>::forget_queue() noexcept {
 }
 
 template <int d>
-void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_result& report) {
     const bool own = x.data() == this->position_.data();
     forget_queue();
     least_.clear();  // it may name a vertex that a call that ran out of memory has not inserted
@@ -44,7 +44,7 @@ void Paper_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, 
 
 /// Computes every tolerance at the fixed positions.
 template <int d>
-void Paper_strategy<d>::compute_tolerances(Move_report& report) {
+void Paper_strategy<d>::compute_tolerances(Move_result& report) {
     std::fill(state_.epsilon.begin(), state_.epsilon.end(), no_limit);
     std::fill(state_.threshold.begin(), state_.threshold.end(), 0.0);
     if (this->mesh().dimension() != d) return;
@@ -54,16 +54,22 @@ void Paper_strategy<d>::compute_tolerances(Move_report& report) {
 
 /// A vertex that is beyond its tolerance is relocated when it moves next.
 template <int d>
+void Paper_strategy<d>::clear_position(Index v) noexcept {
+    Rebuild_strategy<d>::clear_position(v);
+    if (at(v) < state_.fixed.size()) state_.fixed[at(v)] = this->position_[at(v)];
+}
+
+template <int d>
 void Paper_strategy<d>::resume_at_delaunay_positions() {
     forget_queue();
     least_.clear();
     resize();
-    Move_report discarded;
+    Move_result discarded;
     compute_tolerances(discarded);
 }
 
 template <int d>
-void Paper_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::begin(std::span<const Coordinates<d>> x, Move_result& report) {
     if (std::exchange(switch_.fresh, false)) this->set_strategy(Strategy::paper_hybrid);
     if (has_switched()) return recompute_tolerances(x, report);
     least_.clear();
@@ -80,7 +86,7 @@ void Paper_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
 }
 
 template <int d>
-void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& report) {
+void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_result& report) {
     if (!has_switched()) return;
     resize();
     tolerances_.note(cells, state_.fixed, least_, report);
@@ -90,13 +96,13 @@ void Paper_strategy<d>::refresh(std::span<const Cell_index> cells, Move_report& 
 }
 
 template <int d>
-void Paper_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) {
     Rebuild_strategy<d>::begin_transaction(x, report);
     saved_ = state_;
 }
 
 template <int d>
-void Paper_strategy<d>::commit_transaction(Move_report& report) {
+void Paper_strategy<d>::commit_transaction(Move_result& report) {
     Rebuild_strategy<d>::commit_transaction(report);
     saved_ = {};
     switch_.fresh = false;

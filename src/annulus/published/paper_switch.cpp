@@ -8,7 +8,7 @@ namespace annulus::inline v1 {
 
 /// Whether the tolerance of v is greater than its displacement to x, with all other vertices at rest.
 template <int d>
-bool Paper_strategy<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_report& report) {
+bool Paper_strategy<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_result& report) {
     const Corner_table<d>& table = this->mesh().table();
     std::vector<Cell_index> star;
     table.for_each_corner(v, [&](Corner_index h) { star.push_back(table.cell_of(h)); });
@@ -19,7 +19,7 @@ bool Paper_strategy<d>::stays(std::span<const Coordinates<d>> x, Index v, Move_r
 }
 
 template <int d>
-bool Paper_strategy<d>::sample_stays(std::span<const Coordinates<d>> x, Move_report& report) {
+bool Paper_strategy<d>::sample_stays(std::span<const Coordinates<d>> x, Move_result& report) {
     constexpr int sample = 40;
     constexpr double share = d == 2 ? 0.75 : 0.55;
     const std::size_t bound = this->mesh().vertex_bound();
@@ -35,7 +35,7 @@ bool Paper_strategy<d>::sample_stays(std::span<const Coordinates<d>> x, Move_rep
 }
 
 template <int d>
-void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_report& report) {
+void Paper_strategy<d>::before_step(std::span<const Coordinates<d>> x, Move_result& report) {
     if (has_switched() || switch_.steps++ % 4 != 0) return;
     if (this->mesh().dimension() != d || this->mesh().vertices() < 4 || !sample_stays(x, report)) return;
     recompute_tolerances(this->position_, report);

@@ -58,7 +58,7 @@ double Paper_tolerances<d>::tolerance(const Facet_certificate<d>& f, const Certi
 template <int d>
 template <std::size_t k>
 void Paper_tolerances<d>::evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least,
-                                   Move_report& report) {
+                                   Move_result& report) {
     using T = Tuple<d, static_cast<int>(k)>;
     values_.resize(batch.tuple.size());
     const Tolerance_precision mode =
@@ -66,14 +66,14 @@ void Paper_tolerances<d>::evaluate(Batch<k>& batch, std::span<const Coordinates<
     const Stage_counts counts = annulus::evaluate(std::span<const T>(batch.tuple), mode, values_);
     for (std::size_t i = 0; i < values_.size(); ++i)
         least.note(batch.certificate[i].point, tolerance(batch.certificate[i], values_[i], x));
-    report.evaluated += counts.total();
-    report.arithmetic += counts;
+    report.statistics.evaluated += counts.total();
+    report.statistics.arithmetic += counts;
     batch.clear();
 }
 
 template <int d>
 void Paper_tolerances<d>::note(std::span<const Cell_index> cells, std::span<const Coordinates<d>> x,
-                               Least_tolerance& least, Move_report& report) {
+                               Least_tolerance& least, Move_result& report) {
     clear();
     std::vector<Cell_index> present;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(present),
@@ -92,7 +92,7 @@ void Paper_tolerances<d>::note(std::span<const Cell_index> cells, std::span<cons
 
 template <int d>
 void Paper_tolerances<d>::note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least,
-                                          Move_report& report) {
+                                          Move_result& report) {
     clear();
     const auto take_full = [&](bool all) {
         if (all || orientations_.tuple.size() >= batch_size) evaluate(orientations_, x, least, report);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/mesh/certificates.h>
-#include <annulus/move_report.h>
+#include <annulus/move_result.h>
 #include <annulus/options.h>
 #include <annulus/predicate/certificate_value.h>
 #include <annulus/published/least_tolerance.h>
@@ -25,9 +25,9 @@ class Paper_tolerances {
     /// Notes in `least` the tolerances at x of all certificates of these cells and of their facets, and counts them.
     /// Cells that are gone or named twice are allowed. O(k log k).
     void note(std::span<const Cell_index> cells, std::span<const Coordinates<d>> x, Least_tolerance& least,
-              Move_report& report);
+              Move_result& report);
     /// The same for all cells. O(n).
-    void note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
+    void note_everything(std::span<const Coordinates<d>> x, Least_tolerance& least, Move_result& report);
 
   private:
     /// Certificates of one kind that are evaluated together.
@@ -46,7 +46,7 @@ class Paper_tolerances {
     [[nodiscard]] double tolerance(const Facet_certificate<d>& f, const Certificate_value& v,
                                    std::span<const Coordinates<d>> x) const;
     template <std::size_t k>
-    void evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least, Move_report& report);
+    void evaluate(Batch<k>& batch, std::span<const Coordinates<d>> x, Least_tolerance& least, Move_result& report);
 
     const Corner_table<d>& table_;
     Tolerance_kind kind_;

@@ -4,7 +4,7 @@
 namespace annulus::inline v1 {
 
 template <int d>
-void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_report& report) {
+void Relocation_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     const Coordinates<d> source = this->position_[this->at(v)];
     if (source == p) return Rebuild_strategy<d>::move(v, p, report);
     std::vector<Cell_index> discarded;

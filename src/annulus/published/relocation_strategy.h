@@ -17,7 +17,7 @@ class Relocation_strategy final : public Rebuild_strategy<d> {
         : Rebuild_strategy<d>(mesh, choice.strategy()), relocation_(mesh, choice) {}
 
     [[nodiscard]] bool is_sequential() const override { return true; }
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override;
+    void move(Index v, const Coordinates<d>& p, Move_result& report) override;
 
   private:
     Relocation<d> relocation_;

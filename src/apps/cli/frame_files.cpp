@@ -91,7 +91,7 @@ Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arg
     if (frames.voronoi)
         voronoi_ = begin("voronoi.csv", std::string("frame,id,") + volume_name<d> + ",neighbours,unbounded");
     if (frames.changes) changes_ = begin("changes.csv", "frame,first,second,change");
-    tracker.listen([this](const Move_report& report, Index arrived) { hear(report, arrived); });
+    tracker.listen([this](const Move_result& report, Index arrived) { hear(report, arrived); });
 }
 
 template <class Moving>
@@ -114,7 +114,7 @@ void Frame_files<Moving>::append_id(std::string& text, std::uint64_t id) const {
 }
 
 template <class Moving>
-void Frame_files<Moving>::hear(const Move_report& report, Index arrived) {
+void Frame_files<Moving>::hear(const Move_result& report, Index arrived) {
     if (arrived != none && !arriving_.empty()) {
         name(arrived, arriving_.front());
         arriving_.pop_front();

@@ -58,7 +58,7 @@ class Frame_files {
     void write(Result_files& out);
 
   private:
-    void hear(const Move_report& report, Index arrived);
+    void hear(const Move_result& report, Index arrived);
     void append_id(std::string& text, std::uint64_t id) const;
     void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
     void write_changes(std::uint64_t number, Frame_record& record);

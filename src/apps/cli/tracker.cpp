@@ -60,7 +60,7 @@ bool Tracker<Moving>::measured_at(std::uint64_t i) const {
 
 /// Passes the report to the listener, and clears its lists of cells, which are not added up.
 template <class Moving>
-void Tracker<Moving>::hear(Move_report& report, Index arrived) {
+void Tracker<Moving>::hear(Move_result& report, Index arrived) {
     if (listener_) listener_(report, arrived);
     report.changed.clear();
     report.gone.clear();
@@ -70,7 +70,7 @@ template <class Moving>
 void Tracker<Moving>::step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
                            double displacement_max) {
     const auto start = Clock::now();
-    Move_report report = dt_.move_all(x);
+    Move_result report = dt_.move_all(x);
     const double seconds = since(start);
     hear(report, none);
     record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
@@ -80,11 +80,11 @@ template <class Moving>
 std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                                            std::span<const Coordinates<d>> arrive, double motion_seconds,
                                            double displacement_mean, double displacement_max) {
-    Move_report report;
+    Move_result report;
     double seconds = 0;
     std::vector<Index> indices;
     const auto call = [&](auto change, bool counts) {
-        Move_report one;
+        Move_result one;
         const auto start = Clock::now();
         const Index arrived = change(one);
         seconds += since(start);
@@ -93,16 +93,16 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
         report += one;
         return arrived;
     };
-    for (const Index i : leave) (void)call([&](Move_report& one) { return dt_.remove(i, &one), none; }, false);
-    (void)call([&](Move_report& one) { return one = dt_.move_all(x), none; }, true);
-    for (const auto& p : arrive) indices.push_back(call([&](Move_report& one) { return dt_.insert(p, &one); }, false));
+    for (const Index i : leave) (void)call([&](Move_result& one) { return dt_.remove(i, &one), none; }, false);
+    (void)call([&](Move_result& one) { return one = dt_.move_all(x), none; }, true);
+    for (const auto& p : arrive) indices.push_back(call([&](Move_result& one) { return dt_.insert(p, &one); }, false));
     record_step(report, seconds, motion_seconds, displacement_mean, displacement_max);
     cells_changed_ = cells_changed_ || !leave.empty() || !arrive.empty();
     return indices;
 }
 
 template <class Moving>
-void Tracker<Moving>::record_step(const Move_report& report, double seconds, double motion_seconds,
+void Tracker<Moving>::record_step(const Move_result& report, double seconds, double motion_seconds,
                                   double displacement_mean, double displacement_max) {
     totals_ += report;
     cells_changed_ = changes_cells(report);
@@ -116,9 +116,9 @@ void Tracker<Moving>::record_step(const Move_report& report, double seconds, dou
     it.displacement_mean = displacement_mean / spacing_;
     it.displacement_max = displacement_max / spacing_;
     it.moves = moves_of(report.moves);
-    it.arithmetic = report.arithmetic;
-    it.certificates_evaluated = report.evaluated;
-    it.flips = report.flips;
+    it.arithmetic = report.statistics.arithmetic;
+    it.certificates_evaluated = report.statistics.evaluated;
+    it.flips = report.statistics.flips;
     if (measured_at(it.iteration)) {
         const Measures m = dt_.measure();
         it.tolerance_mean = mean_of_finite(m.tolerance, spacing_);

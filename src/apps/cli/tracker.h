@@ -14,8 +14,8 @@
 namespace annulus::inline v1::cli {
 
 /// Whether the reported call changed the cells of the triangulation.
-[[nodiscard]] inline bool changes_cells(const Move_report& r) {
-    return r.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
+[[nodiscard]] inline bool changes_cells(const Move_result& r) {
+    return r.statistics.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
 }
 
 /// The number of iterations of a motion whose end is not known at its beginning.
@@ -41,7 +41,7 @@ class Tracker {
     void input(Input_record input) { record_.input = std::move(input); }
 
     /// Called with the report of each call of the triangulation, and with the vertex that it inserted, or `none`.
-    using Listener = std::function<void(const Move_report& report, Index arrived)>;
+    using Listener = std::function<void(const Move_result& report, Index arrived)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 
     /// Follows one time step. The motion measures its seconds and displacements itself.
@@ -65,7 +65,7 @@ class Tracker {
     [[nodiscard]] const Run_record& record() const { return record_; }
     [[nodiscard]] const std::vector<Width_distribution>& widths() const { return widths_; }
     [[nodiscard]] const std::string& first_fault() const { return first_fault_; }
-    [[nodiscard]] const Move_report& totals() const { return totals_; }
+    [[nodiscard]] const Move_result& totals() const { return totals_; }
     /// Share of all moves so far that were within tolerance.
     [[nodiscard]] double share_within() const;
     /// Whether the last step changed cells.
@@ -76,16 +76,16 @@ class Tracker {
   private:
     [[nodiscard]] bool measured_at(std::uint64_t iteration) const;
     void audit();
-    void record_step(const Move_report& report, double seconds, double motion_seconds, double displacement_mean,
+    void record_step(const Move_result& report, double seconds, double motion_seconds, double displacement_mean,
                      double displacement_max);
 
-    void hear(Move_report& report, Index arrived);
+    void hear(Move_result& report, Index arrived);
 
     std::chrono::steady_clock::time_point begun_;  // before the triangulation is built
     Moving dt_;
     Listener listener_;
     Run_record record_;
-    Move_report totals_;
+    Move_result totals_;
     std::vector<Width_distribution> widths_;
     std::string first_fault_;
     double spacing_;

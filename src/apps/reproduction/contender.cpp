@@ -31,7 +31,7 @@ void Contender<d>::build(std::span<const Coordinates<d>> points) {
 template <int d>
 void Contender<d>::move_all(std::uint64_t step, std::span<const Coordinates<d>> target, double more) {
     const double begin = processor_seconds();
-    const Move_report report = dt_->move_all(target);
+    const Move_result report = dt_->move_all(target);
     note(step, more + processor_seconds() - begin, report);
 }
 
@@ -52,14 +52,14 @@ void Contender<d>::count_streaks(std::uint64_t step) {
 }
 
 template <int d>
-void Contender<d>::note(std::uint64_t step, double seconds, const Move_report& report) {
+void Contender<d>::note(std::uint64_t step, double seconds, const Move_result& report) {
     record_.step.push_back(step);
     record_.seconds.push_back(seconds);
     record_.asked.push_back(report.moves.asked);
     record_.failed.push_back(report.moves.asked - report.moves.within_tolerance);
-    record_.requeued.push_back(report.requeued);
+    record_.requeued.push_back(report.statistics.requeued);
     record_.changed.push_back(report.moves.flipped + report.moves.reinserted + report.moves.rebuilt);
-    record_.evaluated.push_back(report.evaluated);
+    record_.evaluated.push_back(report.statistics.evaluated);
 }
 
 template <int d>
@@ -113,7 +113,7 @@ bool Contender<d>::sample_stays(std::span<const Coordinates<d>> before, std::spa
     Options options;
     options.seed = random_();
     Follower<d> dt(before, options, Paper_choice{.rebuild_first = true});
-    Move_report report;
+    Move_result report;
     const double begin = processor_seconds();
     const bool stays = dt.paper_strategy()->sample_stays(target, report);
     record_.sampling_seconds += processor_seconds() - begin;

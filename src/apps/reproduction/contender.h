@@ -46,7 +46,7 @@ class Contender {
     void build(std::span<const Coordinates<d>> points);
     void move_all(std::uint64_t step, std::span<const Coordinates<d>> target, double more);
     void count_streaks(std::uint64_t step);
-    void note(std::uint64_t step, double seconds, const Move_report& report);
+    void note(std::uint64_t step, double seconds, const Move_result& report);
     void audit(std::uint64_t step);
     void follow_hybrid(std::uint64_t step, std::span<const Coordinates<d>> before,
                        std::span<const Coordinates<d>> target);

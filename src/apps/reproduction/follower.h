@@ -22,11 +22,11 @@ class Watched_paper_strategy final : public Paper_strategy<d> {
     /// one.
     [[nodiscard]] std::span<const Index> failed() const { return failed_; }
 
-    void begin_transaction(std::span<const Coordinates<d>> x, Move_report& report) override {
+    void begin_transaction(std::span<const Coordinates<d>> x, Move_result& report) override {
         failed_.clear();
         Paper_strategy<d>::begin_transaction(x, report);
     }
-    void move(Index v, const Coordinates<d>& p, Move_report& report) override {
+    void move(Index v, const Coordinates<d>& p, Move_result& report) override {
         const std::uint64_t within = report.moves.within_tolerance;
         Paper_strategy<d>::move(v, p, report);
         if (report.moves.within_tolerance == within) failed_.push_back(v);
@@ -48,10 +48,10 @@ class Follower {
     Follower(const Follower&) = delete;
     Follower& operator=(const Follower&) = delete;
 
-    [[nodiscard]] Move_report move_all(std::span<const Coordinates<d>> target) { return engine_.move_all(target); }
+    [[nodiscard]] Move_result move_all(std::span<const Coordinates<d>> target) { return engine_.move_all(target); }
     /// Recomputes every tolerance, if tolerances are kept.
     void recompute_tolerances() {
-        Move_report report;
+        Move_result report;
         strategy_->refresh_all(report);
     }
     [[nodiscard]] Audit_result audit() const { return annulus::audit(engine_.audit_input()); }

@@ -29,10 +29,10 @@ struct Move_counts {
     friend bool operator==(const Move_counts&, const Move_counts&) = default;
 };
 
-/// What a call of `move`, `move_all`, `insert` or `remove` did. Star walks, recomputations of tolerances, cost,
-/// and steps by tolerances or signs are counted by `tolerances`, `tolerances-each`, `auto` and `in-place` alone.
-struct Move_report {
-    Move_counts moves;
+/// What a call cost. Not a stable interface: it follows the strategies, so members may go, come, and count otherwise
+/// in the next version. Star walks, recomputations of tolerances, cost, and steps by tolerances or signs are counted
+/// by `tolerances`, `tolerances-each`, `auto` and `in-place` alone.
+struct Move_statistics {
     Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;        ///< certificates evaluated
     std::uint64_t star_walks = 0;       ///< failed vertices all of whose certificates had to be tested
@@ -43,15 +43,9 @@ struct Move_report {
     std::uint64_t sign_steps = 0;       ///< time steps that began with the signs of all certificates
     std::uint64_t rebuild_steps = 0;    ///< auto: time steps that were rebuilt at once
     std::uint64_t tolerance_recomputations = 0;  ///< times that all tolerances were computed
-    double cost = 0.0;                           ///< what it cost, in cells tested, by measured costs (cost_model.h)
-    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices per cell, -1 for
-    /// the vertex at infinity. No cell is in both lists (a cell that was turned over is another one), except where
-    /// all points are in a plane or on a line before or after the call: then the lists are every finite cell there is
-    /// and there was (padded with -2, `none`).
-    std::vector<Index> changed, gone;
+    double cost = 0.0;                           ///< of the call, in cells tested, by measured costs (cost_model.h)
 
-    Move_report& operator+=(const Move_report& o) {
-        moves += o.moves;
+    Move_statistics& operator+=(const Move_statistics& o) noexcept {
         arithmetic += o.arithmetic;
         evaluated += o.evaluated;
         star_walks += o.star_walks;
@@ -63,8 +57,26 @@ struct Move_report {
         rebuild_steps += o.rebuild_steps;
         tolerance_recomputations += o.tolerance_recomputations;
         cost += o.cost;
+        return *this;
+    }
+    friend bool operator==(const Move_statistics&, const Move_statistics&) = default;
+};
+
+/// What a call of `move`, `move_all`, `insert` or `remove` changed.
+struct Move_result {
+    Move_counts moves;
+    /// On request (Options::report_changes): the cells that came and those that went, d + 1 vertices per cell, -1 for
+    /// the vertex at infinity. No cell is in both lists (a cell that was turned over is another one), except where
+    /// all points are in a plane or on a line before or after the call: then the lists are every finite cell there is
+    /// and there was (padded with -2, `none`).
+    std::vector<Index> changed, gone;
+    Move_statistics statistics;
+
+    Move_result& operator+=(const Move_result& o) {
+        moves += o.moves;
         changed.insert(changed.end(), o.changed.begin(), o.changed.end());
         gone.insert(gone.end(), o.gone.begin(), o.gone.end());
+        statistics += o.statistics;
         return *this;
     }
 };
