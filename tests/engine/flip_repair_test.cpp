@@ -135,6 +135,22 @@ TEMPLATE_TEST_CASE_SIG("A step that is clearly too expensive is given up before 
     CHECK(dt.audit().delaunay());
 }
 
+TEMPLATE_TEST_CASE_SIG("A step that is going to be rebuilt is given up early, dimension", "[repair][cost]",
+                       ((int d), d), 2, 3) {
+    constexpr std::size_t n = 2000;
+    for (const auto& [family, spacings] : {std::pair{"uniform", 0.1}, {"faces", 0.01}, {"sphere", 0.01}}) {
+        CAPTURE(family);
+        bench::Scene<d> scene(family, "walk", n, spacings, 1);
+        auto dt = moving<d>(scene.points(), Strategy::automatic);
+        for (int step = 0; step < 24; ++step) {
+            CAPTURE(step);
+            scene.step();
+            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+            CHECK(report.cost < 1.25 * Rebuild_policy<d>::rebuild_cost(n));
+        }
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG(
     "No time step costs more than one and a half rebuilds, whatever the points and the motion, dimension",
     "[repair][cost][deep]", ((int d), d), 2, 3) {

@@ -13,7 +13,7 @@ template <>
 struct Cost_model<2> {
     // Per vertex, of a time step:
     static constexpr double insertion = 68.0;  // all points one by one (CGAL): the reference for the cost of a step
-    static constexpr double rebuild = 37.0;
+    static constexpr double rebuild = 24.0;
     static constexpr double cells = 2.0;  // the signs of everything: cells per vertex
     static constexpr double signs = 2.3;  // plus what is written for each vertex
     static constexpr double recomputation = 44.0;
@@ -41,7 +41,7 @@ struct Cost_model<2> {
 template <>
 struct Cost_model<3> {
     static constexpr double insertion = 264.0;
-    static constexpr double rebuild = 93.0;
+    static constexpr double rebuild = 75.0;
     static constexpr double cells = 6.7;
     static constexpr double signs = 7.4;
     static constexpr double recomputation = 201.0;

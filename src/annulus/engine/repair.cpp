@@ -160,7 +160,14 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
     if (step.infeasible || !step.budget.within_limit()) return false;
     if (step.scope == Scope::expired) collect_violated(step);
     checker_.note_changes();
+    const double limit = step.budget.limit;
+    if (step.mover == none) {
+        const double estimate = signs_.estimate();
+        if (step.budget.spent + Rebuild_policy<d>::expected(estimate) > limit) return false;
+        step.budget.limit = std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, limit));
+    }
     const Repair_result& result = flip_repair_.repair(path, step.budget);
+    step.budget.limit = limit;
     step.count(signs_.take_counts());
     if (!result.done || !holds_after_flips(step, result)) {
         step.report.statistics.undone_flips += result.flips;

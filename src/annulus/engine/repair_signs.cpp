@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signs alone, for motions under which tolerances would not last.
+#include <annulus/engine/rebuild_policy.h>
 #include <annulus/engine/repair.h>
 
 #include <algorithm>
@@ -12,16 +13,24 @@ namespace annulus::inline v1 {
 template <int d>
 bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
-    // So far above the limit, evaluating all of them would only add to the cost.
-    constexpr double margin = 1.5;
-    step.infeasible = std::isfinite(most) && step.budget.spent + signs_.estimate() > margin * most;
+    step.infeasible = std::isfinite(most) && step.budget.spent + Rebuild_policy<d>::expected(signs_.estimate()) > most;
     if (step.infeasible) {
         step.count(signs_.take_counts());
         return false;
     }
-    const auto within_limit = [&] { return step.budget.spent <= most; };
-    std::erase_if(signs_.inverted(), [&](Cell_index c) { return within_limit() && !signs_.is_inverted(c); });
-    std::erase_if(signs_.violated(), [&](Corner_index f) { return within_limit() && !signs_.is_violated(f); });
+    // Signs that the filter leaves open may cost more than a rebuild: those that have been evaluated tell.
+    constexpr double evidence = 1.0 / 16.0, share = 0.6;  // of the limit
+    const double before = step.budget.spent;
+    const auto all = static_cast<double>(signs_.inverted().size() + signs_.violated().size());
+    double evaluated = 0.0;
+    const auto goes_on = [&] {
+        const double cost = step.budget.spent - before;
+        step.infeasible = step.infeasible || (cost > evidence * most && before + cost / evaluated * all > share * most);
+        ++evaluated;
+        return !step.infeasible;
+    };
+    std::erase_if(signs_.inverted(), [&](Cell_index c) { return goes_on() && !signs_.is_inverted(c); });
+    std::erase_if(signs_.violated(), [&](Corner_index f) { return goes_on() && !signs_.is_violated(f); });
     for (const Cell_index c : signs_.inverted())
         for (const Index v : cell_vertices(t, c)) step.affected.push_back(v);
     for (const Corner_index f : signs_.violated())

@@ -129,15 +129,16 @@ void Builder<d>::copy_to(Corner_table<d>& table, std::size_t bound, int threads)
         std::array<Corner_index, corners> twins;
         for (std::size_t i = 0; i <= d; ++i) twins[i] = Corner_index(static_cast<Index>(across[i]));
         table.set_cell(c, vertices, twins);
-        if (threads == 1) note(c, vertices);
     });
     for_each_run(count, run, threads, [&](std::size_t first, std::size_t last) {
-        for (Cell_index c(static_cast<Index>(first)); c.offset() < last; ++c)
+        for (Cell_index c(static_cast<Index>(first)); c.offset() < last; ++c) {
             for (int i = 0; i <= d; ++i) {
                 const Corner_index h = table.corner(c, i);
                 table.set_twin_only(h, Corner_index(static_cast<Index>(
                                            cell_order_.renamed(static_cast<std::uint32_t>(table.twin(h).value())))));
             }
+            if (threads == 1) note(c, cell_vertices(table, c));
+        }
     });
     if (threads == 1) return;
     for (const Cell_index c : table.cells()) note(c, cell_vertices(table, c));

@@ -26,9 +26,9 @@ class Cavity_edges {
         }
         if (few_.empty()) few_.resize(few * few);
     }
-    /// Calls work(number) for a new border. number(v) is the number of v, counted from 0 in the order in which
-    /// vertices are first met. One in five of the calls meets a new vertex, which no processor predicts: so there is
-    /// no branch, and no `?:`, of which compilers make one.
+    /// Calls work(number) for a new border. number(v) numbers v, from 0 in the order in which vertices are first met.
+    /// No processor predicts which of the calls meets a new vertex: so there is no branch, and no `?:`, of which
+    /// compilers make one.
     template <class Work>
     void with_numbers(Work work) {
         ++round_;
@@ -40,12 +40,12 @@ class Cavity_edges {
             const std::uint32_t number = before ^ ((before ^ met) & (0U - fresh));
             mine = std::uint64_t{round} << 32 | number;
             met += fresh;
-            return number;
         });
         met_ = met;
     }
-    [[nodiscard]] bool has_met(std::int32_t v) const {
-        return static_cast<std::uint32_t>(number_[static_cast<std::size_t>(v)] >> 32) == round_;
+    /// The number of a vertex that was numbered for this border.
+    [[nodiscard]] std::uint32_t number(std::int32_t v) const {
+        return static_cast<std::uint32_t>(number_[static_cast<std::size_t>(v)]);
     }
 
     /// Calls work(entry). entry(a, b) is what is stored for the directed edge between two numbers; undefined until it
@@ -81,6 +81,24 @@ class Cavity_edges {
         std::uint32_t half_facet;
     };
     std::vector<Slot> many_;
+};
+
+/// The same in 2D, where the border is a polygon: two new triangles share an edge when the border's edge of one ends at
+/// the vertex where that of the other begins.
+class Cavity_vertices {
+  public:
+    void begin(std::size_t vertices) { after_.resize(vertices); }
+    /// Vertices keep their numbers.
+    template <class Work>
+    void with_numbers(Work work) {
+        work([](std::int32_t) {});
+    }
+    [[nodiscard]] std::uint32_t number(std::int32_t v) const { return static_cast<std::uint32_t>(v); }
+    /// What is stored for the edge that begins at a vertex; undefined until it is written.
+    [[nodiscard]] std::uint32_t& after(std::uint32_t number) { return after_[number]; }
+
+  private:
+    Default_init_vector<std::uint32_t> after_;  // entries that are read were written for the same border
 };
 
 }  // namespace annulus::inline v1

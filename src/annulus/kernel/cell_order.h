@@ -28,7 +28,7 @@ class Cell_order {
     /// Counts the cells, and groups them by their largest rank. O(n). Throws bad_alloc.
     [[nodiscard]] std::size_t group(const Cells& cells, int threads);
     /// To be called after group(). Calls write(number, vertices as ranks, half-facets across) for each cell and its
-    /// new number; in the order of numbers if there is one thread. O(n), plus O(n log n) for those that share a rank.
+    /// new number. O(n), plus O(k log k) for k cells that share a rank.
     template <class Write>
     void number(const Cells& cells, int threads, Write write);
     /// A half-facet as 4 * number + slot. Precondition: all cells have their numbers.
@@ -74,8 +74,12 @@ class Cell_order {
     void count(const Cells& cells, std::size_t first, std::size_t last);
     template <bool shared>
     void place(std::size_t first, std::size_t last);
+    /// Where the cells begin whose largest rank is v.
+    [[nodiscard]] std::size_t begin_of(std::size_t v) const { return v == 0 ? 0 : end_[v - 1]; }
     template <class Write>
-    void number_group(const Cells& cells, std::size_t first, std::size_t last, std::size_t end, Write& write);
+    void number_block(const Cells& cells, std::size_t first, std::size_t last, std::size_t end, Write& write);
+    template <class Write>
+    void number_many(const Cells& cells, std::size_t first, std::size_t last, Write& write);
 
     Default_init_vector<std::uint32_t> end_;     // by rank: where the cells end of which it is the largest
     Default_init_vector<Cell> cell_;             // by number, except for the order within a group
@@ -108,46 +112,57 @@ constexpr auto Cell_order<d>::new_slots() -> Slots {
 template <int d>
 template <class Write>
 void Cell_order<d>::number(const Cells& cells, int threads, Write write) {
+    constexpr std::size_t block = 32;  // ranks whose cells stay in the cache from reading to numbering
     for_each_run(end_.size(), run, threads, [&](std::size_t first, std::size_t last) {
-        std::size_t k = first == 0 ? 0 : end_[first - 1];
-        for (std::size_t v = first; v < last; ++v) {
-            number_group(cells, k, end_[v], end_[last - 1], write);
-            k = end_[v];
-        }
+        for (std::size_t v = first; v < last; v += block)
+            number_block(cells, v, std::min(v + block, last), begin_of(last), write);
     });
+}
+
+/// How many cells of its group are less than a cell is its place there. A group has some seven cells (in 2D two), in an
+/// order that no processor predicts, nor their number: so there are no loops over a group, but over batches, of which
+/// few groups have more than one. Nothing is allocated: the table has been reset. Other threads may change the order of
+/// cells from `end` on.
+template <int d>
+template <class Write>
+void Cell_order<d>::number_block(const Cells& cells, std::size_t first, std::size_t last, std::size_t end,
+                                 Write& write) {
+    constexpr std::size_t ahead = 16, batch = d == 2 ? 4 : 8, room = 512;
+    const std::size_t begin = begin_of(first), size = end_[last - 1] - begin;
+    if (size > room) {
+        for (std::size_t v = first; v < last; ++v) number_many(cells, begin_of(v), end_[v], write);
+        return;
+    }
+    std::array<Turned, room> group;
+    std::array<std::uint64_t, room + batch> rests;
+    for (std::size_t k = 0; k < size; ++k) {
+        __builtin_prefetch(&cells.cells[cell_[std::min(begin + k + ahead, end - 1)]]);
+        group[k] = turned(cells, cell_[begin + k]);
+        rests[k] = group[k].rest();
+    }
+    std::fill_n(&rests[size], batch, ~std::uint64_t{0});
+    for (std::size_t k = 0; k < size; ++k) {
+        const auto top = static_cast<std::size_t>(group[k].vertices[0]);
+        const std::size_t from = begin_of(top), members = end_[top] - from;
+        const std::uint64_t* const rest = &rests[from - begin];
+        std::size_t less = 0;
+        for (std::size_t b = 0; b < members; b += batch)
+            for (std::size_t i = b; i < b + batch; ++i) less += rest[i] < rests[k] && i < members ? 1U : 0U;
+        number_[group[k].cell] = static_cast<std::uint32_t>(from + less);
+        write(from + less, group[k].vertices, group[k].across);
+    }
 }
 
 template <int d>
 template <class Write>
-void Cell_order<d>::number_group(const Cells& cells, std::size_t first, std::size_t last, std::size_t end,
-                                 Write& write) {
-    constexpr std::size_t few = 32, ahead = 16;
-    const auto name = [&](std::size_t k, const Turned& t) {
+void Cell_order<d>::number_many(const Cells& cells, std::size_t first, std::size_t last, Write& write) {
+    std::sort(cell_.begin() + static_cast<std::ptrdiff_t>(first), cell_.begin() + static_cast<std::ptrdiff_t>(last),
+              [&](Cell l, Cell r) { return turned(cells, l).rest() < turned(cells, r).rest(); });
+    for (std::size_t k = first; k < last; ++k) {
+        const Turned t = turned(cells, cell_[k]);
         number_[t.cell] = static_cast<std::uint32_t>(k);
         write(k, t.vertices, t.across);
-    };
-    if (last - first > few) {
-        std::sort(cell_.begin() + static_cast<std::ptrdiff_t>(first), cell_.begin() + static_cast<std::ptrdiff_t>(last),
-                  [&](Cell l, Cell r) { return turned(cells, l).rest() < turned(cells, r).rest(); });
-        for (std::size_t k = first; k < last; ++k) name(k, turned(cells, cell_[k]));
-        return;
     }
-    // Sorted by counting: a group has some seven cells, in an order that no processor predicts.
-    const std::size_t size = last - first;
-    std::array<Turned, few> group;
-    std::array<std::uint64_t, few> rest;
-    std::array<std::uint8_t, few> order;
-    for (std::size_t k = 0; k < size; ++k) {
-        if (first + k + ahead < end) __builtin_prefetch(&cells.cells[cell_[first + k + ahead]]);
-        group[k] = turned(cells, cell_[first + k]);
-        rest[k] = group[k].rest();
-    }
-    for (std::size_t k = 0; k < size; ++k) {
-        std::size_t less = 0;
-        for (std::size_t i = 0; i < size; ++i) less += rest[i] < rest[k] ? 1U : 0U;
-        order[less] = static_cast<std::uint8_t>(k);
-    }
-    for (std::size_t k = 0; k < size; ++k) name(first + k, group[order[k]]);
 }
 
 extern template class Cell_order<2>;

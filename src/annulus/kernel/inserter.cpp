@@ -41,6 +41,7 @@ auto Inserter<d>::insert_in(Rank v) -> Outcome {
     fill(v);
     last_ = cavity_.cells[cavity_.border_size - 1];
     if constexpr (shared) leave_infinity();
+    else last_ = nearest_new_cell(v, std::min(v + 1, cells_->infinity - 1));
     return Outcome::inserted;
 }
 
@@ -52,6 +53,24 @@ bool Inserter<d>::insert(Rank v) {
 template <int d>
 auto Inserter<d>::insert_in_partition(Rank v) -> Outcome {
     return insert_in<true>(v);
+}
+
+/// Of the cells around v, which was inserted last, one whose sphere holds `next`, if there is one: most walks end where
+/// they begin. Their spheres are relative to v, so one costs three or four multiplications.
+template <int d>
+auto Inserter<d>::nearest_new_cell(Rank v, Rank next) const -> Cell {
+    const std::array<double, static_cast<std::size_t>(d)> from =
+        Euclidean<d>::difference(cells_->at(next), cells_->at(v));
+    double least = 0;
+    Cell best = cavity_.cells[cavity_.border_size - 1];
+    for (std::size_t f = 0; f < cavity_.border_size; ++f) {
+        const Cell c = cavity_.cells[f];
+        const double value = cells_->cells[c].sphere.at(from, 0).value;
+        const bool less = value < least;
+        least = std::min(least, value);
+        best ^= (best ^ c) & (0U - std::uint32_t{less});
+    }
+    return best;
 }
 
 /// Moves last_ to a finite new cell, if there is one: beyond an infinite cell the partition may end.
@@ -69,7 +88,7 @@ void Inserter<d>::start_in(const Thread_partition& partition, const Inserter& fr
     partition_ = partition;
     free_.clear();
     last_ = from.last_;
-    cavity_edges_.begin(d == 3 ? static_cast<std::size_t>(cells_->infinity) + 1 : 0);
+    ridges_.begin(static_cast<std::size_t>(cells_->infinity) + 1);
 }
 
 template <int d>

@@ -7,13 +7,15 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 namespace annulus::inline v1 {
 
-/// Inserts vertices into Growing_cells: locates the vertex by a walk from the last one inserted, finds the cells whose
-/// sphere holds it (the cavity), and replaces them by cells between the cavity's border and the vertex. Each thread
-/// has its own Inserter, in its own cache lines.
+/// Inserts vertices into Growing_cells: locates the vertex by a walk from a cell of the last one inserted, finds the
+/// cells whose sphere holds it (the cavity), and replaces them by cells between the cavity's border and the vertex.
+/// Each thread has its own Inserter, in its own cache lines.
 template <int d>
 class alignas(128) Inserter {
   public:
@@ -33,7 +35,7 @@ class alignas(128) Inserter {
         cells_ = &cells;
         free_.clear();
         last_ = 0;
-        cavity_edges_.begin(d == 3 ? static_cast<std::size_t>(cells.infinity) + 1 : 0);
+        ridges_.begin(static_cast<std::size_t>(cells.infinity) + 1);
     }
     /// Inserts v. Returns false where a vertex is there, which blocker() returns. Throws Error(too_large), bad_alloc.
     [[nodiscard]] bool insert(Rank v);
@@ -65,7 +67,7 @@ class alignas(128) Inserter {
     struct Facet {
         std::array<Rank, static_cast<std::size_t>(d)> vertex;
         Half_facet beyond;
-        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // numbers of its vertices (Cavity_edges)
+        std::array<std::uint32_t, static_cast<std::size_t>(d)> number;  // numbers of its vertices (ridges_)
     };
     /// Buffers of one insertion.
     struct Cavity {
@@ -92,31 +94,28 @@ class alignas(128) Inserter {
     template <bool shared>
     [[nodiscard]] bool take_cells();
     [[nodiscard]] bool claim_block();
-    void read_border();  // in 3D
+    [[nodiscard]] bool read_border();
+    void glue(Rank v, std::span<const Facet> facets);
     void fill(Rank v);
     void leave_infinity();
+    [[nodiscard]] Cell nearest_new_cell(Rank v, Rank next) const;
 
     Cells* cells_ = nullptr;
     std::vector<Cell> free_;
     Cell last_ = 0;
     Cavity cavity_;
-    Cavity_edges cavity_edges_;
+    std::conditional_t<d == 2, Cavity_vertices, Cavity_edges> ridges_;
     Thread_partition partition_;
     Rank blocker_ = 0;
 };
 
-template <>
-void Inserter<3>::read_border();
 #define ANNULUS_INSERTER(d)                                           \
-    template <>                                                       \
-    template <bool shared>                                            \
-    bool Inserter<d>::find_cavity(Rank v, Cell first);                \
     extern template bool Inserter<d>::find_cavity<false>(Rank, Cell); \
     extern template bool Inserter<d>::find_cavity<true>(Rank, Cell);  \
+    extern template void Inserter<d>::unmark();                       \
     template <>                                                       \
-    void Inserter<d>::unmark();                                       \
-    template <>                                                       \
-    void Inserter<d>::fill(Rank v);                                   \
+    void Inserter<d>::glue(Rank v, std::span<const Facet> facets);    \
+    extern template void Inserter<d>::fill(Rank);                     \
     extern template class Inserter<d>;
 ANNULUS_INSERTER(2)
 ANNULUS_INSERTER(3)

@@ -8,8 +8,9 @@
 
 namespace annulus::inline v1 {
 
-template <>
-void Inserter<3>::unmark() {
+template <int d>
+void Inserter<d>::unmark() {
+    if constexpr (d == 2) return;  // no cell is marked
     for (std::size_t k = 0; k < cavity_.size; ++k) {
         float& bound = cells_->bound(cavity_.entered[k] >> 2);
         bound = -bound;
@@ -17,14 +18,14 @@ void Inserter<3>::unmark() {
 }
 
 /// Cells and facets of the border are always written, and counted only if they belong: a branch would be mispredicted
-/// every other time.
-template <>
+/// every other time. In 3D cells that were met are marked. In 2D none is met twice: the triangles of the cavity form a
+/// tree, since no vertex is inside.
+template <int d>
 template <bool shared>
-bool Inserter<3>::find_cavity(Rank v, Cell first) {
-    constexpr int d = 3;
+bool Inserter<d>::find_cavity(Rank v, Cell first) {
     Cells& g = *cells_;
     const Coordinates<d> q = g.at(v);
-    constexpr std::size_t room = 8;
+    constexpr std::size_t room = 16;
     Cavity& cavity = cavity_;
     if (cavity.entered.size() < room) cavity.entered.resize(64);
     if (cavity.border.size() < room) cavity.border.resize(64);
@@ -37,7 +38,7 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
         const float constant = g.bound(c);
         const auto value = g.cells[c].sphere.at(Lifted<d>(q, g.at(g.cells[c].vertex[0])).from, constant);
         bool holds = value.inside();
-        const bool met = std::signbit(constant);
+        const bool met = d == 3 && std::signbit(constant);
         if (!value.certain() && !met) [[unlikely]]
             holds = holds_exactly(c, v);
         const bool own = !shared || partition_.has(c), comes = holds && !met && own;
@@ -46,18 +47,24 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
         cells += std::size_t{comes};
         cavity.border[facets] = h;
         facets += std::size_t{!holds && !met};
-        // Not by `?:`, of which compilers make a branch.
-        (own ? g.bound(c) : elsewhere) =
-            std::bit_cast<float>(std::bit_cast<std::uint32_t>(constant) ^ std::uint32_t{comes} << 31);
+        if constexpr (d == 3)  // not by `?:`, of which compilers make a branch
+            (own ? g.bound(c) : elsewhere) =
+                std::bit_cast<float>(std::bit_cast<std::uint32_t>(constant) ^ std::uint32_t{comes} << 31);
     };
     cavity.entered[0] = 4 * first;
-    g.bound(first) = -g.bound(first);
+    if constexpr (d == 3) g.bound(first) = -g.bound(first);
     for (std::uint32_t i = 0; i <= d; ++i) look(4 * first + i);
-    for (std::size_t k = 1; k < cells && !(shared && abroad); ++k) {
-        const Half_facet h = cavity.entered[k];
+    const auto look_around = [&](Half_facet h) {
+        for (std::uint32_t i = 1; i <= d; ++i) look((h & ~3U) | next_slot<d>(h & 3U, i));
+    };
+    for (std::size_t k = 1; k < cells && !(shared && abroad);) {
         if (cells + room > cavity.entered.size()) cavity.entered.resize(2 * cavity.entered.size());
         if (facets + room > cavity.border.size()) cavity.border.resize(2 * cavity.border.size());
-        for (std::uint32_t i = 1; i <= d; ++i) look((h & ~3U) | next_slot<d>(h & 3U, i));
+        const Half_facet h = cavity.entered[k], after = cavity.entered[k + 1];
+        const bool two = k + 1 < cells;
+        look_around(h);
+        ++k;
+        if (two) look_around(after), ++k;
     }
     cavity.size = cells;
     cavity.border_size = facets;
@@ -67,43 +74,8 @@ bool Inserter<3>::find_cavity(Rank v, Cell first) {
     return true;
 }
 
-template <>
-void Inserter<2>::unmark() {}  // marks are not needed
-
-/// The triangles of the cavity form a tree, since no vertex is inside: a depth-first walk meets the border in order.
-template <>
-template <bool shared>
-bool Inserter<2>::find_cavity(Rank v, Cell first) {
-    constexpr int d = 2;
-    const Cells& g = *cells_;
-    const Coordinates<d> q = g.at(v);
-    auto& [crossing, border, cells, facets, size, border_size] = cavity_;
-    for (auto* buffer : {&crossing, &border, &cells})  // separately: memory may run out in between
-        if (buffer->size() < 64) buffer->resize(64);
-    std::size_t waiting = 0, found = 1, edges = 0;
-    cells[0] = first;
-    for (const Half_facet i : {2U, 1U, 0U}) crossing[waiting++] = 4 * first + i;
-    while (waiting > 0) {
-        const Half_facet h = crossing[--waiting], t = g.cells[h >> 2].across[h & 3U];
-        const Cell c = t >> 2;
-        const auto value = g.cells[c].sphere.at(Lifted<d>(q, g.at(g.cells[c].vertex[0])).from, g.bound(c));
-        if (value.certain() ? value.inside() : holds_exactly(c, v)) {
-            if (shared && !partition_.has(c)) return false;
-            crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 2);
-            crossing[waiting++] = (t & ~3U) | next_slot<d>(t & 3U, 1);
-            cells[found++] = c;
-            if (waiting + 2 > crossing.size()) crossing.resize(2 * crossing.size());
-            if (found + 3 > cells.size()) cells.resize(2 * cells.size());  // two more replace it
-        } else {
-            border[edges++] = h;
-            if (edges == border.size()) border.resize(2 * border.size());
-        }
-    }
-    size = found;
-    border_size = edges;
-    return true;
-}
-
+template void Inserter<2>::unmark();
+template void Inserter<3>::unmark();
 template bool Inserter<2>::find_cavity<false>(Rank, Cell);
 template bool Inserter<2>::find_cavity<true>(Rank, Cell);
 template bool Inserter<3>::find_cavity<false>(Rank, Cell);

@@ -4,40 +4,69 @@
 
 #include <annulus/kernel/cached_spheres.h>
 
+#include <algorithm>
 #include <span>
 #include <tuple>
 
 namespace annulus::inline v1 {
 
 namespace {
-constexpr auto others_3 = facing<3>();
+template <int d>
+constexpr auto others = facing<d>();
 }
 
-/// To be called before the cells of the cavity are overwritten.
-template <>
-void Inserter<3>::read_border() {
-    constexpr int d = 3;
+/// To be called before the cells of the cavity are overwritten. Returns whether infinity is on the border. A cell has
+/// one vertex that the cell from which it was entered does not have.
+template <int d>
+bool Inserter<d>::read_border() {
     Cavity& cavity = cavity_;
     if (cavity.facets.size() < cavity.border_size) cavity.facets.resize(2 * cavity.border_size);
-    cavity_edges_.with_numbers([&](auto number) {
-        for (std::size_t f = 0; f < cavity.border_size; ++f) {
-            const Half_facet h = cavity.border[f];
-            const auto& cell = cells_->cells[h >> 2];
-            Facet& facet = cavity.facets[f];
-            for (std::size_t k = 0; k < d; ++k) facet.vertex[k] = cell.vertex[others_3[h & 3U][k]];
-            facet.beyond = cell.across[h & 3U];
-            for (std::size_t k = 0; k < d; ++k) facet.number[k] = number(facet.vertex[k]);
+    bool meets_infinity = false;
+    ridges_.with_numbers([&](auto number) {
+        const auto meet = [&](Rank v) {
+            meets_infinity |= v == cells_->infinity;
+            number(v);
+        };
+        for (const Rank v : cells_->cells[cavity.cells[0]].vertex) meet(v);
+        for (std::size_t k = 1; k < cavity.size; ++k) {
+            const Half_facet h = cavity.entered[k];
+            meet(cells_->cells[h >> 2].vertex[h & 3U]);
         }
     });
+    for (std::size_t f = 0; f < cavity.border_size; ++f) {
+        const Half_facet h = cavity.border[f];
+        const auto& cell = cells_->cells[h >> 2];
+        Facet& facet = cavity.facets[f];
+        facet.beyond = cell.across[h & 3U];
+        for (std::size_t k = 0; k < d; ++k) facet.vertex[k] = cell.vertex[others<d>[h & 3U][k]];
+        for (std::size_t k = 0; k < d; ++k) facet.number[k] = ridges_.number(facet.vertex[k]);
+        if constexpr (d == 2) ridges_.after(facet.number[0]) = 4 * cavity.cells[f];
+    }
+    return meets_infinity;
+}
+
+/// The new cells without their spheres. Each is followed by the one whose edge begins where its own ends.
+template <>
+void Inserter<2>::glue(Rank v, std::span<const Facet> facets) {
+    Cells& g = *cells_;
+    const Cell* const cells = cavity_.cells.data();
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const Facet& facet = facets[f];
+        const Half_facet h = 4 * cells[f], after = ridges_.after(facet.number[1]);
+        auto& cell = g.cells[cells[f]];
+        cell.vertex = {v, facet.vertex[0], facet.vertex[1]};
+        cell.across[0] = facet.beyond;
+        g.cells[facet.beyond >> 2].across[facet.beyond & 3U] = h;
+        cell.across[1] = after + 2;
+        g.cells[after >> 2].across[2] = h + 1;
+    }
 }
 
 template <>
-void Inserter<3>::fill(Rank v) {
-    read_border();
+void Inserter<3>::glue(Rank v, std::span<const Facet> facets) {
     Cells& g = *cells_;
-    const std::span<const Facet> facets(cavity_.facets.data(), cavity_.border_size);
     const Cell* const cells = cavity_.cells.data();
-    cavity_edges_.with_edges(facets.size(), [&](auto edge) {
+    ridges_.with_edges(facets.size(), [&](auto edge) {
         for (std::size_t f = 0; f < facets.size(); ++f) {
             const Facet& facet = facets[f];
             const auto& [a, b, c] = facet.number;
@@ -58,44 +87,25 @@ void Inserter<3>::fill(Rank v) {
             cell.across[3] = edge(b, a);
         }
     });
-    const std::span<const Cell> made(cells, facets.size());
-    if (!cavity_edges_.has_met(g.infinity)) return cached_spheres(g, made);
-    const Coordinates<3>& p = g.at(v);
-    for (std::size_t f = 0; f < facets.size(); ++f)
-        g.cells[cells[f]].sphere = std::apply(
-            [&](auto... w) { return cached_sphere(g.lifted(w, p)..., g.bound(cells[f])); }, facets[f].vertex);
 }
 
-/// The facets of the border are in cyclic order, and so are the new cells.
-template <>
-void Inserter<2>::fill(Rank v) {
-    constexpr int d = 2;
+template <int d>
+void Inserter<d>::fill(Rank v) {
+    const bool meets_infinity = read_border();
     Cells& g = *cells_;
+    const std::span<const Facet> facets(cavity_.facets.data(), cavity_.border_size);
+    glue(v, facets);
+    const std::span<const Cell> made(cavity_.cells.data(), facets.size());
+    if (!meets_infinity) return cached_spheres(g, made);
     const Coordinates<d>& p = g.at(v);
-    const std::size_t n = cavity_.border_size;
-    std::vector<Facet>& facets = cavity_.facets;
-    if (facets.size() <= n) facets.resize(2 * n);
-    for (std::size_t f = 0; f < n; ++f) {
-        const Half_facet h = cavity_.border[f];
-        const auto& cell = g.cells[h >> 2];
-        facets[f].vertex[0] = cell.vertex[next_slot<d>(h & 3U, 1)];
-        facets[f].beyond = cell.across[h & 3U];
-    }
-    facets[n].vertex[0] = facets[0].vertex[0];
-    Cell before = cavity_.cells[n - 1];
-    Lifted<d> a = g.lifted(facets[0].vertex[0], p);
-    for (std::size_t f = 0; f < n; ++f) {
-        const Cell c = cavity_.cells[f], after = cavity_.cells[f + 1 < n ? f + 1 : 0];
-        const Half_facet beyond = facets[f].beyond;
-        auto& cell = g.cells[c];
-        cell.vertex = {v, facets[f].vertex[0], facets[f + 1].vertex[0]};
-        cell.across = {beyond, 4 * after + 2, 4 * before + 1};
-        g.cells[beyond >> 2].across[beyond & 3U] = 4 * c;
-        const Lifted<d> b = g.lifted(facets[f + 1].vertex[0], p);
-        cell.sphere = cached_sphere(a, b, cell.bound);
-        a = b;
-        before = c;
-    }
+    for (std::size_t f = 0; f < facets.size(); ++f)
+        g.cells[made[f]].sphere =
+            std::apply([&](auto... w) { return cached_sphere(g.lifted(w, p)..., g.bound(made[f])); }, facets[f].vertex);
 }
+
+template bool Inserter<2>::read_border();
+template bool Inserter<3>::read_border();
+template void Inserter<2>::fill(Rank);
+template void Inserter<3>::fill(Rank);
 
 }  // namespace annulus::inline v1

@@ -125,7 +125,7 @@ double grid_scale(const Coordinates<d>& x) {
     }
     if (lowest == nothing) return std::ldexp(1.0, -most);  // the origin: any scale makes it an integer
     const int power = 1075 - lowest;
-    return power > most ? 0.0 : std::ldexp(1.0, power);
+    return power > most ? 0.0 : std::bit_cast<double>(static_cast<std::uint64_t>(power + 1023) << 52);
 }
 
 template <int d>

@@ -12,7 +12,7 @@ namespace annulus::inline v1 {
 // The exact stage of the kernel: signs of determinants of integers of a fixed width, without heap memory. Points on
 // the unit sphere, lattices and the like are decided here; points that span too many bits are left to GMP.
 
-/// A point, and a power of two that makes its coordinates integers (0: no double does).
+/// A point, and a power of two that makes its coordinates integers (0: no normal double does).
 template <int d>
 struct Scaled_point {
     const Coordinates<d>* x;

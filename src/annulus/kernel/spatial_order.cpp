@@ -47,22 +47,53 @@ struct Hilbert_curve {
                     inner[entry * d + direction][octant] = static_cast<std::uint8_t>(next_entry * d + next_direction);
                 }
     }
-    /// The place on the curve of a box with these coordinates, of `bits` bits each.
+};
+
+/// The same for `levels` levels at once: an entry of the table is a place among the boxes so many levels deeper, and
+/// the state there.
+template <int d>
+class Hilbert_steps {
+  public:
+    constexpr Hilbert_steps() {
+        constexpr Hilbert_curve<d> curve;
+        for (unsigned state = 0; state < curve.states; ++state)
+            for (unsigned box = 0; box < boxes; ++box) {
+                unsigned place = 0, in = state;
+                for (int bit = levels - 1; bit >= 0; --bit) {
+                    unsigned octant = 0;
+                    for (unsigned c = 0; c < d; ++c)
+                        octant |= ((box >> (static_cast<int>(c) * levels + bit)) & 1U) << c;
+                    place = place << d | curve.place[in][octant];
+                    in = curve.inner[in][octant];
+                }
+                step_[state][box] = static_cast<std::uint16_t>(place << state_bits | in);
+            }
+    }
+    /// The place on the curve of a box with these coordinates, of `bits` bits each. Levels above are boxes at the
+    /// curve's beginning, whose places are 0.
     [[nodiscard]] std::uint64_t key(const std::array<std::uint32_t, d>& box, int bits) const {
         std::uint64_t key = 0;
         unsigned state = 0;
-        for (int bit = bits - 1; bit >= 0; --bit) {
-            unsigned octant = 0;
-            for (unsigned c = 0; c < d; ++c) octant |= ((box[c] >> bit) & 1U) << c;
-            key = key << d | place[state][octant];
-            state = inner[state][octant];
+        for (int shift = (bits - 1) / levels * levels; shift >= 0; shift -= levels) {
+            unsigned inner = 0;
+            for (unsigned c = 0; c < d; ++c)
+                inner |= ((box[c] >> shift) & ((1U << levels) - 1)) << (static_cast<int>(c) * levels);
+            const unsigned step = step_[state][inner];
+            key = key << (d * levels) | step >> state_bits;
+            state = step & ((1U << state_bits) - 1);
         }
         return key;
     }
+
+  private:
+    static constexpr int levels = d == 3 ? 2 : 3, state_bits = 5;
+    static constexpr unsigned boxes = 1U << (d * levels);
+    static_assert(Hilbert_curve<d>::states <= 1U << state_bits && d * levels + state_bits <= 16);
+    std::array<std::array<std::uint16_t, boxes>, Hilbert_curve<d>::states> step_{};
 };
 
 template <int d>
-constexpr Hilbert_curve<d> hilbert_curve;
+constexpr Hilbert_steps<d> hilbert_curve;
 
 /// The finalizer of MurmurHash3: every bit of the result depends on every bit of x.
 std::uint64_t mixed(std::uint64_t x) {
@@ -99,7 +130,6 @@ void Spatial_order<d>::sort_by_key(Keys& a, Keys& other, int bits, int threads) 
         std::stable_sort(a.begin(), a.end(), [](const Keyed& l, const Keyed& r) { return l.key < r.key; });
         return;
     }
-    constexpr int digit = 11;
     constexpr std::size_t digits = 1U << digit, least_run = 1U << 15;
     const std::size_t runs = std::clamp(a.size() / least_run, std::size_t{1}, static_cast<std::size_t>(threads));
     const std::size_t length = (a.size() + runs - 1) / runs;
@@ -123,6 +153,14 @@ void Spatial_order<d>::sort_by_key(Keys& a, Keys& other, int bits, int threads) 
     }
 }
 
+/// The bits of a coordinate of a box on the curve: there are at least 16 boxes a vertex, as many as fit into the same
+/// number of digits.
+template <int d>
+int Spatial_order<d>::bits_of_box(std::size_t n, int round_bits) {
+    const int least = std::max(static_cast<int>(std::bit_width(n)) + 4 + round_bits, 2 * digit);
+    return ((least + digit - 1) / digit * digit - round_bits) / d;
+}
+
 template <int d>
 void Spatial_order<d>::sort_along_curve(std::span<const Coordinates<d>> x, const Bounding_box<d>& around,
                                         std::span<Index> vertices, bool in_rounds, int threads, Keys& keys, Keys& other,
@@ -130,9 +168,9 @@ void Spatial_order<d>::sort_along_curve(std::span<const Coordinates<d>> x, const
     constexpr std::size_t least_run = 4, first_round = 64, run = 1U << 14;
     const std::size_t n = vertices.size();
     const double extent = around.extent();
-    const int bits = d == 3 ? (n < 100'000 ? 12 : 17) : (n < 100'000 ? 11 : n < 2'000'000 ? 14 : 16);
-    const double boxes = static_cast<double>(1U << bits) - 0.5;
     const Rounds rounds(in_rounds ? n : 0, first_round);
+    const int bits = bits_of_box(n, rounds.bits());
+    const double boxes = static_cast<double>(1U << bits) - 0.5;
     place_bits = d * bits;
     keys.resize(n);
     for_each_run(n, run, threads, [&](std::size_t first, std::size_t last) {

@@ -43,6 +43,9 @@ class Spatial_order {
     };
     using Keys = Default_init_vector<Keyed>;
 
+    static constexpr int digit = 11;  // bits of a key that are sorted at once
+
+    [[nodiscard]] static int bits_of_box(std::size_t n, int round_bits);
     static void sort_by_key(Keys& keys, Keys& other, int bits, int threads);
     static void sort_along_curve(std::span<const Coordinates<d>> x, const Bounding_box<d>& around,
                                  std::span<Index> vertices, bool in_rounds, int threads, Keys& keys, Keys& other,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -42,6 +43,11 @@ class Vertex_set {
     /// The vertices in ascending order.
     [[nodiscard]] std::vector<Index> list() const {
         std::vector<Index> vertices;
+        if (size_ == has_.size()) {
+            vertices.resize(size_);
+            std::iota(vertices.begin(), vertices.end(), Index{0});
+            return vertices;
+        }
         vertices.reserve(size_);
         for (std::size_t v = 0; v < has_.size(); ++v)
             if (has_[v] != 0) vertices.push_back(static_cast<Index>(v));
