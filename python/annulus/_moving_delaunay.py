@@ -41,8 +41,8 @@ class MovingDelaunay(Queries):
     threads : int, optional
         Number of threads for the parallel parts, 1 or more. Results do not depend on it.
     report_changes : bool, optional
-        Whether results of `move` list `changed_simplices` and `removed_simplices`. The default is False, as in C++
-        and C: a step in which no simplex changes costs the same with lists, but where most change, to sort them
+        Whether results of `move` list `changed_simplices` and `removed_simplices` (the default; in C++ and C it is
+        not). A step in which no simplex changes costs the same without lists, but where most change, to sort them
         may take longer than the step.
     seed : int, optional
         Seed of the sample that ``paper-hybrid`` draws.
@@ -89,7 +89,7 @@ class MovingDelaunay(Queries):
     _options: dict[str, typing.Any]
 
     def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
-                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = False,
+                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
                  seed: int = 0) -> None:
         options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
         array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")

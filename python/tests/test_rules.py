@@ -75,13 +75,11 @@ def test_threads(threads, allowed):
 def test_defaults():
     parameters = inspect.signature(annulus.MovingDelaunay).parameters
     for name, default in {"strategy": "auto", "tolerance": "certified", "threads": 1, "merge_duplicates": False,
-                          "report_changes": False, "seed": 0}.items():
+                          "report_changes": True, "seed": 0}.items():
         assert parameters[name].default == default and type(parameters[name].default) is type(default), name
     x = some_points(30, 2, 4)
     r = annulus.MovingDelaunay(x).move(x + 0.3 * x[:, ::-1] ** 2)
-    assert r.flipped + r.rebuilt > 0
-    with pytest.raises(annulus.Error):
-        _ = r.changed_simplices
+    assert r.flipped + r.rebuilt > 0 and len(r.changed_simplices) > 0
 
 
 def test_order_of_arguments():
