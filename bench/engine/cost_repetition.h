@@ -190,7 +190,8 @@ class Repetition {
             w_.walk(1e-9);
             Move_result report;
             const double t = seconds([&] { report = w_.step(); });
-            if (report.statistics.sign_steps == 1 && report.statistics.tolerance_recomputations == 0) hold = std::min(hold, t);
+            if (report.statistics.sign_steps == 1 && report.statistics.tolerance_recomputations == 0)
+                hold = std::min(hold, t);
         }
         out_["signs"] = vertex(hold);
         Factor factor;
@@ -201,7 +202,8 @@ class Repetition {
                     annulus::sample_cells<d>(w_.mesh().table(), w_.points(), static_cast<std::size_t>(10.0 * all_));
                 Move_result report;
                 const double t = seconds([&] { report = w_.step(); });
-                if (report.statistics.sign_steps != 1 || report.statistics.tolerance_recomputations != 0 || report.moves.rebuilt != 0)
+                if (report.statistics.sign_steps != 1 || report.statistics.tolerance_recomputations != 0 ||
+                    report.moves.rebuilt != 0)
                     continue;
                 const double scale =
                     out_["cells"].get<double>() * all_ / static_cast<double>(std::max<std::size_t>(sample.cells, 1));
