@@ -52,7 +52,7 @@ void every_vertex_passes(benchmark::State& state) {
     const auto y = within_tolerance(dt, x);
     std::size_t turn = 0;
     std::uint64_t evaluated = 0;
-    for (auto _ : state) evaluated += dt.move_all(y[++turn % 2]).evaluated;
+    for (auto _ : state) evaluated += dt.move_all(y[++turn % 2]).statistics.evaluated;
     if (evaluated != 0) state.SkipWithError("a certificate was evaluated");
     vertices(state);
 }

@@ -63,7 +63,8 @@ void loops(std::size_t n) {
     const double short_way = d == 2 ? 1e-3 : 1e-4;
     (void)follow(w, way(w, short_way));
     const auto near = way(w, short_way);
-    count(d, "expired certificates", "evaluated", [&] { return static_cast<double>(follow(w, near).evaluated); });
+    count(d, "expired certificates", "evaluated",
+          [&] { return static_cast<double>(follow(w, near).statistics.evaluated); });
 
     w.drop_tolerances();
     Sign_evaluator<d> signs(w.mesh().table());
@@ -78,7 +79,7 @@ void loops(std::size_t n) {
     // Including the signs around them.
     w.drop_tolerances();
     const auto far = way(w, 0.03);
-    count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).flips); });
+    count(d, "step of signs and flips", "flip", [&] { return static_cast<double>(follow(w, far).statistics.flips); });
 
     w.recompute_tolerances();
     Move_result report;

@@ -86,8 +86,8 @@ Mesh_of_domain iterate(const Domain_3& domain, std::size_t vertices, double grad
         history.add(step.mean_displacement, step.max_displacement, report);
         if (!goes_on(callback, history)) break;
     }
-    for (std::size_t c = 0; c < kept.cells().size(); ++c)
-        if (kept.inside()[c] != 0) out.cells.push_back(kept.cells().vertex[c]);
+    for (std::size_t c = 0; c < kept.cells().vertices.size(); ++c)
+        if (kept.inside()[c] != 0) out.cells.push_back(kept.cells().vertices[c]);
     return out;
 }
 

@@ -145,8 +145,8 @@ TEMPLATE_TEST_CASE_SIG("A step that is going to be rebuilt is given up early, di
         for (int step = 0; step < 24; ++step) {
             CAPTURE(step);
             scene.step();
-            const Move_report report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-            CHECK(report.cost < 1.25 * Rebuild_policy<d>::rebuild_cost(n));
+            const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
+            CHECK(report.statistics.cost < 1.25 * Rebuild_policy<d>::rebuild_cost(n));
         }
     }
 }
@@ -190,7 +190,7 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[repa
         }
         return all;
     };
-    CHECK(steps(large, 12).rebuild_steps == 12);
+    CHECK(steps(large, 12).statistics.rebuild_steps == 12);
     // The same points at rest: after a few time steps nothing is rebuilt, and tolerances are kept.
     bench::Scene<3> quiet("uniform", "walk", 1000, 1e-5, 1);
     (void)steps(quiet, 2);
@@ -198,7 +198,7 @@ TEST_CASE("auto rebuilds where that is the cheapest way, and comes back", "[repa
     CHECK(settled.moves.rebuilt == 0);
     CHECK(settled.statistics.tolerance_steps >= 8);
     CHECK(settled.statistics.tolerance_recomputations == 1);
-    CHECK(steps(large, 12).rebuild_steps >= 10);
+    CHECK(steps(large, 12).statistics.rebuild_steps >= 10);
     CHECK(dt.audit().delaunay());
 }
 

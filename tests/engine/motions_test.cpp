@@ -176,7 +176,7 @@ TEMPLATE_TEST_CASE_SIG(
         CHECK(slow.moves.within_tolerance > x.size() * 9 / 10);
     }
     for (int i = 0; i < 3; ++i) (void)step(0.1);
-    CHECK(step(0.1).sign_steps == 1);
+    CHECK(step(0.1).statistics.sign_steps == 1);
 }
 
 TEMPLATE_TEST_CASE_SIG("paper-hybrid becomes paper once the motion is slow, and then is one, dimension", "[motions]",

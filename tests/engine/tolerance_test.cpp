@@ -225,7 +225,7 @@ TEST_CASE("Moves of 0.9999 tolerances, all at once, evaluate nothing and keep th
                         session.apply(move_all(x));
                         session.check();
                         if (session.dt().view_dimension() < 2) continue;
-                        RC_ASSERT(session.last().evaluated == 0U);
+                        RC_ASSERT(session.last().statistics.evaluated == 0U);
                         RC_ASSERT(session.last().moves.within_tolerance == x.size());
                         RC_ASSERT(cells_of(session.dt()) == before);
                     }

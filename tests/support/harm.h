@@ -127,7 +127,7 @@ void check_worst_moves(const Points& x, const Options& options, Undone& undone) 
         ++undone.tight;
         HOLDS(!passes(squeezed(1.001 / 0.998)), x);
         Moving repaired(std::span<const Coordinates<d>>(x), options);
-        HOLDS(repaired.move_all(squeezed(1.001 / 0.998)).evaluated > 0, x);
+        HOLDS(repaired.move_all(squeezed(1.001 / 0.998)).statistics.evaluated > 0, x);
         HOLDS(repaired.audit().delaunay(), x);
     }
     const auto worst = harmful_directions<d>(all, x.size());

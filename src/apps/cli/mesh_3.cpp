@@ -15,7 +15,7 @@ void Mesh_3::read(const Moving_mesh_3& dt) {
     points_ = std::move(in.points);
     std::erase_if(in.cells, [](const auto& c) { return c[3] == none; });  // the cells of a flat set
     kept_.read(std::move(in.cells), points_.size());
-    all_.assign(cells().size(), 1);
+    all_.assign(cells().vertices.size(), 1);
     domain_ = false;
 }
 

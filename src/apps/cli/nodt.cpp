@@ -30,7 +30,7 @@ struct Nodt_call {
 
 std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     double sum = 0;
-    for (std::size_t c = 0; c < mesh.cells().size(); ++c)
+    for (std::size_t c = 0; c < mesh.cells().vertices.size(); ++c)
         if (mesh.inside()[c] != 0) sum += mesh.kept().moments()[c].volume;
     char text[80];
     std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.",
@@ -40,7 +40,7 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
 
 /// Adds to the page the cells of the domain, their dihedral angles, and the vertices on their surface.
 void add_domain(Run_page<Moving_mesh_3>& page, const Mesh_3& mesh, const Run_record& run) {
-    page.cells = mesh.cells().vertex;
+    page.cells = mesh.cells().vertices;
     std::vector<std::array<Index, 4>> inside;
     std::vector<std::int64_t> flag, boundary(mesh.points().size(), 0);
     for (std::size_t c = 0; c < page.cells.size(); ++c) {

@@ -32,7 +32,7 @@ std::vector<std::array<Index, 3>> ordered_cells(const Moving_mesh_2&) { return {
 std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
     Mesh_3 mesh;
     mesh.read(dt);
-    return mesh.cells().vertex;
+    return mesh.cells().vertices;
 }
 
 /// How many points appeared, disappeared, and were merged with others.

@@ -157,7 +157,7 @@ void Tracker<Moving>::finish(const std::string& command, std::uint64_t seed, dou
     record_.seed = seed;
     record_.seconds.total = total_seconds;
     record_.moves = moves_of(totals_.moves);
-    record_.arithmetic = totals_.arithmetic;
+    record_.arithmetic = totals_.statistics.arithmetic;
     record_.memory_peak_bytes = peak_resident_memory();
 }
 
