@@ -81,14 +81,14 @@ TEMPLATE_TEST_CASE_SIG("Flips reach large steps without taking anything out, dim
     // Of thousands of vertices, including the hull, flips are stuck at a handful. The motion is slow enough for the
     // limit of repair.
     for_each_seed(2, [](Random& random) {
-        bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.1 : 0.01, random());
+        bench::Scene<d> scene("uniform", "walk", 1500, d == 2 ? 0.05 : 0.01, random());
         auto dt = moving<d>(scene.points(), Strategy::tolerances);
         Move_result all;  // of the steps that were repaired
         std::uint64_t repaired = 0;
         for (int step = 0; step < 8; ++step) {
             scene.step();
             const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-            if (report.moves.rebuilt > 0) continue;  // above the limit of repair: one of 400 in 2D
+            if (report.moves.rebuilt > 0) continue;  // above the limit of repair
             all += report;
             ++repaired;
         }
