@@ -57,16 +57,25 @@ std::uint64_t value(const Field& field, const Move_report& report) {
     return field.of(const_cast<Move_report&>(report));
 }
 
-/// Keeps the simplices only: infinite cells and the cells of flat sets are none.
-void keep_simplices(std::vector<Index>& cells, int d) {
+/// Keeps the simplices only, and returns the others: infinite cells and the cells of flat sets.
+std::vector<Index> keep_simplices(std::vector<Index>& cells, int d) {
+    std::vector<Index> others;
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
     auto kept = cells.begin();
     for (auto cell = cells.begin(); cell != cells.end(); cell += width)
         if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) {
             if (kept != cell) std::copy(cell, cell + width, kept);
             kept += width;
-        }
+        } else others.insert(others.end(), cell, cell + width);
     cells.erase(kept, cells.end());
+    return others;
+}
+
+py::object give_pairs(const Vertex_pairs& pairs) {
+    std::vector<std::array<Index, 2>> rows;
+    rows.reserve(pairs.size());
+    for (const auto& [a, b] : pairs) rows.push_back({a, b});
+    return give_rows(std::move(rows));
 }
 
 std::vector<Index> simplices_of_state(const py::handle& state, int d) {
@@ -79,8 +88,8 @@ std::vector<Index> simplices_of_state(const py::handle& state, int d) {
 }  // namespace
 
 Report::Report(Move_report report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
-    keep_simplices(report.changed, d);
-    keep_simplices(report.gone, d);
+    others_came_ = keep_simplices(report.changed, d);
+    others_gone_ = keep_simplices(report.gone, d);
     report_ = std::make_shared<const Move_report>(std::move(report));
 }
 
@@ -89,6 +98,17 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
     const auto m = static_cast<py::ssize_t>(vertices.size()) / (d_ + 1);
     return view<Index>(vertices.data(), {m, d_ + 1}, report_);
 }
+
+Edge_changes Report::edges() const {
+    std::vector<Index> came = report_->changed;
+    std::vector<Index> gone = report_->gone;
+    came.insert(came.end(), others_came_.begin(), others_came_.end());
+    gone.insert(gone.end(), others_gone_.begin(), others_gone_.end());
+    return d_ == 2 ? edge_changes<2>(came, gone) : edge_changes<3>(came, gone);
+}
+
+py::object Report::edges_made() const { return lists_changes_ ? give_pairs(edges().made) : py::none(); }
+py::object Report::edges_broken() const { return lists_changes_ ? give_pairs(edges().broken) : py::none(); }
 
 py::dict Report::as_dict() const {
     py::dict out;
@@ -108,13 +128,19 @@ py::str Report::repr() const {
     return text + ">";
 }
 
-py::tuple Report::state() const { return py::make_tuple(as_dict(), d_, changed_simplices(), removed_simplices()); }
+py::tuple Report::state() const {
+    const auto rows = [this](const std::vector<Index>& cells) {
+        return give(cells, {static_cast<py::ssize_t>(cells.size()) / (d_ + 1), d_ + 1});
+    };
+    return py::make_tuple(as_dict(), d_, changed_simplices(), removed_simplices(), rows(others_came_),
+                          rows(others_gone_));
+}
 
 Report Report::of_state(const py::object& object) {
     if (!py::isinstance<py::tuple>(object))
         throw Error(Error_code::bad_input, "state must be that of a pickled report");
     const auto state = py::reinterpret_borrow<py::tuple>(object);
-    if (state.size() != 4) throw Error(Error_code::bad_input, "state must be that of a pickled report");
+    if (state.size() != 6) throw Error(Error_code::bad_input, "state must be that of a pickled report");
     Move_report r;
     const auto numbers = state[0].cast<py::dict>();
     for (const Field& f : fields) f.of(r) = numbers[f.name].cast<std::uint64_t>();
@@ -126,7 +152,10 @@ Report Report::of_state(const py::object& object) {
         r.changed = simplices_of_state(state[2], d);
         r.gone = simplices_of_state(state[3], d);
     }
-    return {std::move(r), d, lists_changes};
+    Report out(std::move(r), d, lists_changes);
+    out.others_came_ = simplices_of_state(state[4], d);
+    out.others_gone_ = simplices_of_state(state[5], d);
+    return out;
 }
 
 void add_report(py::module_& m) {
@@ -151,6 +180,13 @@ None with ``report_changes=False``. Points that do not span d dimensions have no
             "removed_simplices", &Report::removed_simplices,
             "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. None is also in "
             "`changed_simplices`, except one that was turned over: its vertices are in both, in another order.")
+        .def_property_readonly("edges_made", &Report::edges_made,
+                               R"(ndarray of int32, shape (m, 2): pairs of vertices that became neighbours, ascending.
+
+In 2D, a flip breaks one pair and makes one, a T1 transition (`annulus.t1`). Computed on access, O(k log k) for k )"
+                               R"(simplices that changed. None with ``report_changes=False``.)")
+        .def_property_readonly("edges_broken", &Report::edges_broken,
+                               "ndarray of int32, shape (m, 2): pairs of vertices that are neighbours no longer.")
         .def("as_dict", &Report::as_dict, "dict: all counts by name.")
         .def("__repr__", &Report::repr)
         .def("__reduce__", [](const Report& r) {

@@ -3,6 +3,7 @@
 
 #include <module/arrays.h>
 
+#include <annulus/measure/neighbour_changes.h>
 #include <annulus/move_report.h>
 
 #include <memory>
@@ -20,6 +21,10 @@ class Report {
     /// Simplices that were created, and that were removed, (m, d + 1); None without report_changes.
     [[nodiscard]] py::object changed_simplices() const { return simplices(report_->changed); }
     [[nodiscard]] py::object removed_simplices() const { return simplices(report_->gone); }
+    /// The pairs of vertices that an edge joins since the call, and those that it joined before, (m, 2); None without
+    /// report_changes.
+    [[nodiscard]] py::object edges_made() const;
+    [[nodiscard]] py::object edges_broken() const;
     [[nodiscard]] py::dict as_dict() const;
     [[nodiscard]] py::str repr() const;
     [[nodiscard]] py::tuple state() const;
@@ -28,7 +33,10 @@ class Report {
   private:
     [[nodiscard]] py::object simplices(const std::vector<Index>& vertices) const;
 
-    std::shared_ptr<const Move_report> report_;  // lists finite simplices only
+    [[nodiscard]] Edge_changes edges() const;
+
+    std::shared_ptr<const Move_report> report_;     // lists finite simplices only
+    std::vector<Index> others_came_, others_gone_;  // what else the lists had: infinite cells, cells of flat sets
     int d_;
     bool lists_changes_;
 };

@@ -43,7 +43,8 @@ def test_everything_is_explained():
     things += [getattr(annulus.MoveReport, name) for name in public(annulus.MoveReport)]
     for thing in things:
         assert inspect.getdoc(thing), thing
-    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes"):
+    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes", "voronoi", "neighbor_list",
+                 "voronoi_vjp"):
         assert "----" in inspect.getdoc(getattr(annulus.MovingDelaunay, name)), f"{name}: no NumPy style"
 
 
