@@ -8,6 +8,8 @@ foreach(name IN ITEMS
         "A lattice, a prism and a sphere that move and return many times are still Delaunay"
         "After a refused call in space the flips that it took back do no harm"
         "bi-cells of space: every stage is sound, tight and has the exact sign"
+        "Facets and cells of 3D Voronoi diagrams are those cut out exactly, points of every kind"
+        "Volumes of Voronoi cells are those of cells cut out exactly, points of every kind"
         "Whenever a drifting call reports all within tolerance the audit passes"
         "Steady motion that breaks off never leaves a wrong triangulation"
         "sin2 moments of a polygon have the stated relative error")

@@ -10,10 +10,11 @@ from numpy.typing import ArrayLike
 
 from . import _arguments, _core
 from ._error import Error
-from ._queries import Indices, Queries
+from ._neighbors import VoronoiQueries
+from ._queries import Indices
 
 
-class MovingDelaunay(Queries):
+class MovingDelaunay(VoronoiQueries):
     """A Delaunay triangulation that is kept right while its vertices move.
 
     With ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points at their current

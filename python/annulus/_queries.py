@@ -54,8 +54,7 @@ def audit_result_of(values: tuple[bool, int, int, int, int, int, str,
     return AuditResult(*values[:-1], tuple(Fault(*fault) for fault in values[-1]))
 
 
-def result_of(state: tuple[dict[str, typing.Any], dict[str, typing.Any], int, Indices | None,
-                           Indices | None]) -> _core.MoveResult:
+def result_of(state: tuple[typing.Any, ...]) -> _core.MoveResult:
     """Creates a `MoveResult` from its pickled state."""
     return _core.result_of(state)
 
@@ -145,25 +144,6 @@ class Queries:
         """ndarray of float64, shape (npoints,): an upper bound of the distance of each vertex from its fixed position;
         NaN at free indices."""
         return self._mesh.displacements
-
-    def voronoi_volumes(self) -> Floats:
-        """The areas (2D) or volumes (3D) of the Voronoi cells, in the unit of the points to the power of d.
-
-        Returns
-        -------
-        ndarray of float64, shape (npoints,)
-            ``inf`` for unbounded cells, those of the vertices of the hull; NaN at free indices.
-
-        Notes
-        -----
-        Each number has a relative error of at most 2**-33, 1.2e-10, for any points. Numbers saturate at the
-        largest double; those below the smallest normal double, 2**-1022, have an additional absolute error of
-        2**-1074.
-
-        Volumes are kept from the first call on: later calls compute only those that are affected by moves and
-        changes of simplices since then, with the same result to the last bit.
-        """
-        return self._mesh.voronoi_volumes()
 
     def find_simplex(self, xi: ArrayLike) -> Indices:
         """The simplices that contain points, decided exactly.

@@ -55,6 +55,9 @@ class Mesh {
     [[nodiscard]] std::vector<double> displacements() const;
     [[nodiscard]] std::vector<double> voronoi_volumes();
 
+    /// What read(const Moving_mesh<d>&) returns, at one moment. It runs without the GIL (mesh_locked.h).
+    template <class Read>
+    [[nodiscard]] auto read(Read read) const;
     /// Audits a snapshot; other threads may move vertices during the audit. Handles signals.
     [[nodiscard]] Audit_result audit() const;
     /// The number of vertices and the strategy in use, at the same moment.

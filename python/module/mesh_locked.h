@@ -16,4 +16,10 @@ auto Mesh<d>::locked(Call call) const {
     return call();
 }
 
+template <int d>
+template <class Read>
+auto Mesh<d>::read(Read read) const {
+    return locked([&] { return read(mesh_); });
+}
+
 }  // namespace annulus::python

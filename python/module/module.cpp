@@ -24,6 +24,8 @@ PYBIND11_MODULE(_core, m) {
     add_meshes(m);
     add_degeneracy(m);
     add_predicates(m);
+    add_voronoi(m);
+    add_interpolation(m);
     add_counterexample(m);
     add_lloyd(m);
     add_nodt(m);

@@ -16,6 +16,8 @@ void add_report(py::module_& m);
 void add_meshes(py::module_& m);
 void add_degeneracy(py::module_& m);
 void add_predicates(py::module_& m);
+void add_voronoi(py::module_& m);
+void add_interpolation(py::module_& m);
 void add_counterexample(py::module_& m);
 void add_lloyd(py::module_& m);
 void add_nodt(py::module_& m);

@@ -111,16 +111,25 @@ Move_statistics statistics_of(const py::dict& numbers) {
 /// A function written in Python, because pickle finds functions by name.
 py::object unpickler(const char* name) { return py::module_::import("annulus._queries").attr(name); }
 
-/// Keeps the simplices only: infinite cells and the cells of flat sets are none.
-void keep_simplices(std::vector<Index>& cells, int d) {
+/// Keeps the simplices only, and returns the others: infinite cells and the cells of flat sets.
+std::vector<Index> keep_simplices(std::vector<Index>& cells, int d) {
+    std::vector<Index> others;
     const auto width = static_cast<std::ptrdiff_t>(d + 1);
     auto kept = cells.begin();
     for (auto cell = cells.begin(); cell != cells.end(); cell += width)
         if (std::all_of(cell, cell + width, [](Index v) { return v >= 0; })) {
             if (kept != cell) std::copy(cell, cell + width, kept);
             kept += width;
-        }
+        } else others.insert(others.end(), cell, cell + width);
     cells.erase(kept, cells.end());
+    return others;
+}
+
+py::object give_pairs(const Vertex_pairs& pairs) {
+    std::vector<std::array<Index, 2>> rows;
+    rows.reserve(pairs.size());
+    for (const auto& [a, b] : pairs) rows.push_back({a, b});
+    return give_rows(std::move(rows));
 }
 
 std::vector<Index> simplices_of_state(const py::handle& state, int d) {
@@ -133,8 +142,8 @@ std::vector<Index> simplices_of_state(const py::handle& state, int d) {
 }  // namespace
 
 Report::Report(Move_result report, int d, bool lists_changes) : d_(d), lists_changes_(lists_changes) {
-    keep_simplices(report.changed, d);
-    keep_simplices(report.gone, d);
+    others_came_ = keep_simplices(report.changed, d);
+    others_gone_ = keep_simplices(report.gone, d);
     report_ = std::make_shared<const Move_result>(std::move(report));
 }
 
@@ -144,26 +153,45 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
     return view<Index>(vertices.data(), {m, d_ + 1}, report_);
 }
 
-py::object Report::listed(const std::vector<Index>& vertices) const {
+void Report::require_lists() const {
     if (!lists_changes_)
-        throw Error(Error_code::usage, "simplices that changed are listed with report_changes=True only");
+        throw Error(Error_code::usage, "simplices and edges that changed are listed with report_changes=True only");
+}
+
+py::object Report::listed(const std::vector<Index>& vertices) const {
+    require_lists();
     return simplices(vertices);
+}
+
+Edge_changes Report::edges() const {
+    require_lists();
+    std::vector<Index> came = report_->changed;
+    std::vector<Index> gone = report_->gone;
+    came.insert(came.end(), others_came_.begin(), others_came_.end());
+    gone.insert(gone.end(), others_gone_.begin(), others_gone_.end());
+    return d_ == 2 ? edge_changes<2>(came, gone) : edge_changes<3>(came, gone);
 }
 
 py::dict Report::as_dict() const { return dict_of(counts, report_->moves); }
 
+py::object Report::edges_made() const { return give_pairs(edges().made); }
+py::object Report::edges_broken() const { return give_pairs(edges().broken); }
+
 py::str Report::repr() const { return repr_of("MoveResult", counts, report_->moves); }
 
 py::tuple Report::state() const {
+    const auto rows = [this](const std::vector<Index>& cells) {
+        return give(cells, {static_cast<py::ssize_t>(cells.size()) / (d_ + 1), d_ + 1});
+    };
     return py::make_tuple(as_dict(), statistics_dict(report_->statistics), d_, simplices(report_->changed),
-                          simplices(report_->gone));
+                          simplices(report_->gone), rows(others_came_), rows(others_gone_));
 }
 
 Report Report::of_state(const py::object& object) {
     if (!py::isinstance<py::tuple>(object))
         throw Error(Error_code::bad_input, "state must be that of a pickled result");
     const auto state = py::reinterpret_borrow<py::tuple>(object);
-    if (state.size() != 5) throw Error(Error_code::bad_input, "state must be that of a pickled result");
+    if (state.size() != 7) throw Error(Error_code::bad_input, "state must be that of a pickled result");
     Move_result r;
     read(counts, state[0].cast<py::dict>(), r.moves);
     r.statistics = statistics_of(state[1].cast<py::dict>());
@@ -174,7 +202,10 @@ Report Report::of_state(const py::object& object) {
         r.changed = simplices_of_state(state[3], d);
         r.gone = simplices_of_state(state[4], d);
     }
-    return {std::move(r), d, lists_changes};
+    Report out(std::move(r), d, lists_changes);
+    out.others_came_ = simplices_of_state(state[5], d);
+    out.others_gone_ = simplices_of_state(state[6], d);
+    return out;
 }
 
 void add_report(py::module_& m) {
@@ -217,6 +248,13 @@ d dimensions have no simplices.)")
             "ndarray of int32, shape (m, d + 1): simplices that no longer exist, in the same form. No simplex is also "
             "in "
             "`changed_simplices`, except one that was turned over: its vertices are in both, in another order.")
+        .def_property_readonly("edges_made", &Report::edges_made,
+                               R"(ndarray of int32, shape (m, 2): pairs of vertices that became neighbours, ascending.
+
+In 2D, a flip breaks one pair and makes one, a T1 transition (`annulus.t1`). Computed on access, O(k log k) for k )"
+                               R"(simplices that changed. Raises an `Error` as `changed_simplices` does.)")
+        .def_property_readonly("edges_broken", &Report::edges_broken,
+                               "ndarray of int32, shape (m, 2): pairs of vertices that are neighbours no longer.")
         .def("as_dict", &Report::as_dict, "dict: all counts by name, without those of `statistics`.")
         .def("__repr__", &Report::repr)
         .def("__reduce__",

@@ -3,6 +3,7 @@
 
 #include <module/arrays.h>
 
+#include <annulus/measure/neighbour_changes.h>
 #include <annulus/move_result.h>
 
 #include <memory>
@@ -20,6 +21,10 @@ class Report {
     /// Simplices that were created, and that were removed, (m, d + 1). Throw Error(usage) without report_changes.
     [[nodiscard]] py::object changed_simplices() const { return listed(report_->changed); }
     [[nodiscard]] py::object removed_simplices() const { return listed(report_->gone); }
+    /// The pairs of vertices that an edge joins since the call, and those that it joined before, (m, 2). Throw the
+    /// same.
+    [[nodiscard]] py::object edges_made() const;
+    [[nodiscard]] py::object edges_broken() const;
     [[nodiscard]] py::dict as_dict() const;
     [[nodiscard]] py::str repr() const;
     [[nodiscard]] py::tuple state() const;
@@ -30,7 +35,12 @@ class Report {
     /// The same; None without report_changes.
     [[nodiscard]] py::object simplices(const std::vector<Index>& vertices) const;
 
-    std::shared_ptr<const Move_result> report_;  // lists finite simplices only
+    /// Throws Error(usage) without report_changes.
+    void require_lists() const;
+    [[nodiscard]] Edge_changes edges() const;
+
+    std::shared_ptr<const Move_result> report_;     // lists finite simplices only
+    std::vector<Index> others_came_, others_gone_;  // what else the lists had: infinite cells, cells of flat sets
     int d_;
     bool lists_changes_;
 };

@@ -46,7 +46,17 @@ RIGHT = {
     "find_simplex": (lambda **named: annulus.MovingDelaunay(X).find_simplex(**named), {"xi": X}),
     "recompute_tolerances": (lambda **named: annulus.MovingDelaunay(X).recompute_tolerances(**named), {}),
     "audit": (lambda **named: annulus.MovingDelaunay(X).audit(**named), {}),
-    "voronoi_volumes": (lambda **named: annulus.MovingDelaunay(X).voronoi_volumes(**named), {}),
+    "voronoi_volumes": (lambda **named: annulus.MovingDelaunay(X).voronoi_volumes(**named), {"clip": [[0, 0], [1, 1]]}),
+    "voronoi": (lambda **named: annulus.MovingDelaunay(X).voronoi(**named), {"clip": [[0, 0], [1, 1]]}),
+    "voronoi_vjp": (lambda **named: annulus.MovingDelaunay(X).voronoi_vjp(**named), {"g": X[:, 0]}),
+    "voronoi_jacobian": (lambda **named: annulus.MovingDelaunay(X).voronoi_jacobian(**named), {}),
+    "neighbor_list": (lambda **named: annulus.MovingDelaunay(X).neighbor_list(**named),
+                      {"quantities": "ijA", "clip": [[0, 0], [1, 1]]}),
+    "neighbor_counts": (lambda **named: annulus.MovingDelaunay(X).neighbor_counts(**named),
+                        {"min_area": 0.1, "strict": False, "clip": [[0, 0], [1, 1]]}),
+    "nearest_vertex": (lambda **named: annulus.MovingDelaunay(X).nearest_vertex(**named), {"xi": X}),
+    "interpolate": (lambda **named: annulus.MovingDelaunay(X).interpolate(**named), {"values": X[:, 0], "xi": X}),
+    "t1": (annulus.t1, {"report": annulus.MovingDelaunay(X).move(X)}),
     "annulus.audit": (annulus.audit, {"points": X, "simplices": annulus.MovingDelaunay(X).simplices, "max_faults": 3}),
     "degeneracy": (annulus.degeneracy, {"points": X}),
     "counterexample": (annulus.counterexample, {}),
@@ -56,7 +66,7 @@ RIGHT = {
 }
 # What these are made of is not looked at: results, and exceptions.
 PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveResult", "MoveStatistics", "Error",
-         "OpenBoundariesWarning"}
+         "OpenBoundariesWarning", "Voronoi"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;

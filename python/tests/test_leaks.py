@@ -46,6 +46,10 @@ def everything(dt, x, rng):
     _ = (dt.points, dt.simplices, dt.neighbors, dt.convex_hull, dt.vertex_neighbor_vertices, dt.vertex_to_simplex,
          dt.is_vertex)
     _ = dt.tolerances, dt.theta, dt.displacements, dt.find_simplex(x[:5]), dt.flat_simplices, dt.voronoi_volumes()
+    _ = report.edges_made, dt.edges, dt.neighbor_list("ijdDSA"), dt.neighbor_counts(), dt.nearest_vertex(x[:5])
+    box = [x.min(axis=0), x.max(axis=0) + 1]
+    _ = dt.voronoi(clip=box).regions, dt.voronoi_vjp(x[:, 0]), dt.voronoi_jacobian(), dt.voronoi_volumes(clip=box)
+    _ = dt.interpolate(x, x[:5] + 1e-3)
     rows = x[:(d := x.shape[1]) + 2]
     _ = (annulus.predicates.in_circle if d == 2 else annulus.predicates.in_sphere)(rows), annulus.audit(x, dt.simplices)
     _ = annulus.audit(x[:-1], dt.simplices[::-1]).faults

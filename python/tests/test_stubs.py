@@ -44,7 +44,8 @@ def test_everything_is_explained():
     things += [getattr(kind, name) for kind in (annulus.MoveResult, annulus.MoveStatistics) for name in public(kind)]
     for thing in things:
         assert inspect.getdoc(thing), thing
-    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes"):
+    for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes", "voronoi", "neighbor_list",
+                 "voronoi_vjp"):
         assert "----" in inspect.getdoc(getattr(annulus.MovingDelaunay, name)), f"{name}: no NumPy style"
 
 

@@ -251,6 +251,21 @@ ANNULUS_API int annulus_displacements(const annulus_mesh* mesh, size_t capacity,
 // Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, int32_t* neighbour_counts);
 
+// The same volumes, and for each vertex the centroid of its cell, coordinates like those of points, NaN where the
+// volume is infinite. With lower and upper, `dimension` numbers each, cells are intersected with this box, so that all
+// are finite; otherwise both are NULL. A volume has a relative error of at most 2^-32; if the box cuts the cell, an
+// absolute one of at most 2^-44 times the power of the diameter of box and points. `centroids` or `volumes` may be
+// NULL. O(n), two microseconds per vertex in 2D, ten in 3D. Errors: USAGE and NOT_FINITE for the box, NO_TRIANGULATION,
+// ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_voronoi_cells(const annulus_mesh* mesh, const double* lower, const double* upper,
+                                      size_t capacity, double* volumes, double* centroids);
+// The gradient of the sum of weights[v] times the volume of vertex v, with respect to all coordinates: `gradient` has
+// `dimension` numbers for each vertex. Weights of unbounded cells and of free indices count as 0. With A and c the
+// measure and the centroid of the Voronoi facet of v and w, the derivative of volume v with respect to x_w is
+// A (x_w - c) / |x_v - x_w|. O(n), as above. Errors: NO_TRIANGULATION, ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_voronoi_gradient(const annulus_mesh* mesh, size_t capacity, const double* weights,
+                                         double* gradient);
+
 // ---- Lists. Call with capacity 0 and NULL for the count, then again; *count is right after WRONG_SIZE, too ---------
 
 // The vertex of every point given to annulus_create: 0, 1, 2, .. unless duplicate points were merged.
@@ -273,6 +288,14 @@ ANNULUS_API int annulus_neighbours(const annulus_mesh* mesh, int32_t vertex, siz
 // Errors: WRONG_SIZE, NO_MEMORY.
 ANNULUS_API int annulus_neighbour_lists(const annulus_mesh* mesh, size_t begins, int32_t* begin, size_t capacity,
                                         int32_t* vertices, size_t* count);
+// The facets between Voronoi cells, in the order of the vertices of annulus_neighbour_lists, so that each is there
+// twice. measures: length (dimension 2) or area (3), infinity if the facet is unbounded, otherwise with a relative
+// error of at most 2^-32; exactly 0 where the cells of two neighbours meet in less than a facet, which is decided
+// exactly: dimension + 2 or more points are cospherical. centroids: `dimension` numbers each, NaN where the measure is
+// 0 or infinite. Either array may be NULL. O(n), as annulus_voronoi_cells. Errors: WRONG_SIZE, NO_TRIANGULATION,
+// ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_voronoi_facets(const annulus_mesh* mesh, size_t capacity, double* measures, double* centroids,
+                                       size_t* count);
 // The facets of the convex hull, as many numbers each as the dimension: in 2D edges with the triangulation on their
 // left, in 3D triangles that are counter-clockwise seen from outside. None if all points are on a line (in 3D: in a
 // plane). Errors: WRONG_SIZE, NO_MEMORY.

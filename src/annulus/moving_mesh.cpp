@@ -6,7 +6,7 @@
 #include <annulus/error.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/kernel/kept_lists.h>
-#include <annulus/measure/voronoi_kept.h>
+#include <annulus/measure/voronoi_kept_gradient.h>
 #include <annulus/published/strategies.h>
 
 #include <cstring>
@@ -209,6 +209,16 @@ std::vector<double> Moving_mesh<d>::voronoi_volumes() const {
     if (!parts_->volumes) parts_->volumes = std::make_unique<Kept_voronoi_volumes<d>>(parts_->mesh);
     const auto volumes = parts_->volumes->update(parts_->engine.positions());
     return {volumes.begin(), volumes.end()};
+}
+template <int d>
+auto Moving_mesh<d>::voronoi_gradient(std::span<const double> weights) const -> std::vector<Point> {
+    if constexpr (d == 2)
+        if (dimension() == d) {
+            const std::lock_guard hold(parts_->measuring);
+            if (!parts_->volumes) parts_->volumes = std::make_unique<Kept_voronoi_volumes<d>>(parts_->mesh);
+            return edge_gradient(*parts_->volumes, points(), weights);
+        }
+    return annulus::voronoi_gradient<d>(points(), cell_lists()->cells, weights);
 }
 template <int d>
 Audit_input<d> Moving_mesh<d>::audit_input() const {

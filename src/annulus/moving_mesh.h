@@ -125,6 +125,9 @@ class Moving_mesh {
     /// Throws bad_input if tolerances that are not certified have left a cell that is not positive, environment, and
     /// what new throws.
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
+    /// The gradient of sum_i weights[i] * volume_i: what voronoi_gradient (voronoi.h) returns for points() and cells(),
+    /// up to the order of sums. In 2D it uses what is kept for the volumes. Throws as above, and wrong_size.
+    [[nodiscard]] std::vector<Point> voronoi_gradient(std::span<const double> weights) const;
 
     /// Exact audit at the current positions; see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }

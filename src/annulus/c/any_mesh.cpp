@@ -69,6 +69,32 @@ class Mesh_of final : public Any_mesh {
         std::copy(v.begin(), v.end(), volumes);
         std::copy(n.begin(), n.end(), neighbour_counts);
     }
+    void voronoi_cells(const double* box, double* volumes, double* centroids) const override {
+        Voronoi_clip<d> clip;
+        if (box != nullptr) {
+            std::copy_n(box, d, clip.lower.begin());
+            std::copy_n(box + d, d, clip.upper.begin());
+        }
+        const Voronoi_diagram<d> v = box != nullptr ? annulus::voronoi(mesh_, clip) : annulus::voronoi(mesh_);
+        if (volumes != nullptr) std::copy(v.volume.begin(), v.volume.end(), volumes);
+        if (centroids != nullptr) put(v.cell_centroid, centroids);
+    }
+    void voronoi_gradient(const double* weights, double* gradient) const override {
+        put(mesh_.voronoi_gradient({weights, index_bound()}), gradient);
+    }
+    void voronoi_facets(double* measures, double* centroids) const override {
+        const Voronoi_diagram<d> v = annulus::voronoi(mesh_);
+        const std::vector<Index>& begin = mesh_.vertex_neighbors()->begin;
+        std::vector<std::size_t> next(begin.begin(), begin.end());
+        const auto write = [&](Index vertex, std::size_t k) {
+            const std::size_t to = next[static_cast<std::size_t>(vertex)]++;
+            if (measures != nullptr) measures[to] = v.measure[k];
+            if (centroids != nullptr) std::copy(v.centroid[k].begin(), v.centroid[k].end(), centroids + d * to);
+        };
+        // Pairs are ascending: first the smaller neighbours of each vertex, then the larger ones.
+        for (std::size_t k = 0; k < v.pair.size(); ++k) write(v.pair[k][1], k);
+        for (std::size_t k = 0; k < v.pair.size(); ++k) write(v.pair[k][0], k);
+    }
     Cells cells() const override {
         const auto lists = mesh_.cell_lists();
         Cells out{lists, nullptr, nullptr, lists->cells.vertices.size()};
@@ -92,6 +118,10 @@ class Mesh_of final : public Any_mesh {
     Audit_result audit() const override { return mesh_.audit(); }
 
   private:
+    static void put(const std::vector<Coordinates<d>>& from, double* to) {
+        for (const auto& x : from) to = std::copy(x.begin(), x.end(), to);
+    }
+
     Moving_mesh<d> mesh_;
 };
 

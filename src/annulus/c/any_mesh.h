@@ -50,6 +50,11 @@ class Any_mesh {
     virtual void displacements(double* lengths) const = 0;
     /// Either array may be null.
     virtual void voronoi(double* volumes, Index* neighbour_counts) const = 0;
+    /// `box` has the lower and the upper corner, or is null. Either array may be null.
+    virtual void voronoi_cells(const double* box, double* volumes, double* centroids) const = 0;
+    virtual void voronoi_gradient(const double* weights, double* gradient) const = 0;
+    /// In the order of neighbour_lists(). Either array may be null.
+    virtual void voronoi_facets(double* measures, double* centroids) const = 0;
     // Lists are made once after a change of the mesh and then reused.
     [[nodiscard]] virtual Cells cells() const = 0;
     /// Valid until the next call that is not const. Throws unknown_vertex.

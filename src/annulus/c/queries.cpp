@@ -114,6 +114,29 @@ int annulus_voronoi(const annulus_mesh* mesh, size_t capacity, double* volumes, 
                      [&](const Any_mesh& m) { m.voronoi(volumes, neighbour_counts); });
 }
 
+int annulus_voronoi_cells(const annulus_mesh* mesh, const double* lower, const double* upper, size_t capacity,
+                          double* volumes, double* centroids) {
+    const void* either = volumes != nullptr ? volumes : centroids;
+    return by_vertex(mesh, capacity, either, "volumes, like centroids,", [&](const Any_mesh& m) {
+        if ((lower == nullptr) != (upper == nullptr))
+            throw Refused(ANNULUS_NULL_POINTER, "one of lower and upper is NULL, and the other is not");
+        if (lower == nullptr) return m.voronoi_cells(nullptr, volumes, centroids);
+        const auto d = static_cast<std::size_t>(m.dimension());
+        double box[6];
+        std::copy_n(lower, d, box);
+        std::copy_n(upper, d, box + d);
+        for (std::size_t k = 0; k < d; ++k)
+            if (box[k] >= box[d + k]) throw Refused(ANNULUS_USAGE, "the box has no interior: lower is not below upper");
+        m.voronoi_cells(box, volumes, centroids);
+    });
+}
+int annulus_voronoi_gradient(const annulus_mesh* mesh, size_t capacity, const double* weights, double* gradient) {
+    return by_vertex(mesh, capacity, gradient, "gradient", [&](const Any_mesh& m) {
+        require(weights, capacity, "weights");
+        m.voronoi_gradient(weights, gradient);
+    });
+}
+
 int annulus_vertex_of_input(const annulus_mesh* mesh, size_t capacity, int32_t* indices, size_t* count) {
     return guarded(mesh, [&](const annulus_mesh& m) {
         require(count, "count");
@@ -162,6 +185,19 @@ int annulus_neighbour_lists(const annulus_mesh* mesh, size_t begins, int32_t* be
         require(vertices, capacity, "vertices");
         copy(lists->begin.data(), lists->begin.size(), begin);
         copy(lists->index.data(), lists->index.size(), vertices);
+    });
+}
+
+int annulus_voronoi_facets(const annulus_mesh* mesh, size_t capacity, double* measures, double* centroids,
+                           size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        *count = m.mesh->neighbour_lists()->index.size();
+        if (measures == nullptr && centroids == nullptr && capacity == 0) return;
+        require_capacity(capacity, *count, "facets");
+        if (measures == nullptr) require(centroids, capacity, "measures, like centroids,");
+        require_sound_environment();
+        m.mesh->voronoi_facets(measures, centroids);
     });
 }
 

@@ -2,8 +2,37 @@
 #include <annulus/measure/neighbour_changes.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace annulus::inline v1 {
+
+template <int d>
+Vertex_pairs edges_of_cells(std::span<const Index> cells) {
+    Vertex_pairs edges;
+    for (std::size_t c = 0; c < cells.size(); c += d + 1)
+        for (std::size_t i = c; i <= c + d; ++i)
+            for (std::size_t k = c; k < i; ++k)
+                if (cells[i] >= 0 && cells[k] >= 0)  // neither infinity nor padding
+                    edges.emplace_back(std::min(cells[i], cells[k]), std::max(cells[i], cells[k]));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+template <int d>
+Edge_changes edge_changes(std::span<const Index> came, std::span<const Index> gone) {
+    const Vertex_pairs now = edges_of_cells<d>(came);
+    const Vertex_pairs before = edges_of_cells<d>(gone);
+    Edge_changes out;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(out.made));
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(out.broken));
+    return out;
+}
+
+template Vertex_pairs edges_of_cells<2>(std::span<const Index>);
+template Vertex_pairs edges_of_cells<3>(std::span<const Index>);
+template Edge_changes edge_changes<2>(std::span<const Index>, std::span<const Index>);
+template Edge_changes edge_changes<3>(std::span<const Index>, std::span<const Index>);
 
 template <int d>
 void Neighbour_changes<d>::name(Index v, std::uint64_t id) {
@@ -13,36 +42,19 @@ void Neighbour_changes<d>::name(Index v, std::uint64_t id) {
 }
 
 template <int d>
-void Neighbour_changes<d>::edges_of(std::span<const Index> cells, Edges& edges) {
-    edges.clear();
-    for (std::size_t c = 0; c < cells.size(); c += d + 1)
-        for (std::size_t i = c; i <= c + d; ++i)
-            for (std::size_t k = c; k < i; ++k)
-                if (cells[i] >= 0 && cells[k] >= 0)  // neither infinity nor padding
-                    edges.emplace_back(std::min(cells[i], cells[k]), std::max(cells[i], cells[k]));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
-
-/// The edges that are not in `others`.
-template <int d>
-void Neighbour_changes<d>::enter(const Edges& edges, const Edges& others, int sign) {
-    auto other = others.begin();
-    for (const auto& edge : edges) {
-        while (other != others.end() && *other < edge) ++other;
-        if (other != others.end() && *other == edge) continue;
-        const std::uint64_t a = id_[static_cast<std::size_t>(edge.first)],
-                            b = id_[static_cast<std::size_t>(edge.second)];
+void Neighbour_changes<d>::enter(const Vertex_pairs& edges, int sign) {
+    for (const auto& [v, w] : edges) {
+        const std::uint64_t a = id_[static_cast<std::size_t>(v)];
+        const std::uint64_t b = id_[static_cast<std::size_t>(w)];
         changes_.push_back({{std::min(a, b), std::max(a, b)}, sign});
     }
 }
 
 template <int d>
 void Neighbour_changes<d>::note(std::span<const Index> came, std::span<const Index> gone) {
-    edges_of(came, came_);
-    edges_of(gone, gone_);
-    enter(came_, gone_, 1);
-    enter(gone_, came_, -1);
+    const Edge_changes changes = edge_changes<d>(came, gone);
+    enter(changes.made, 1);
+    enter(changes.broken, -1);
 }
 
 template <int d>

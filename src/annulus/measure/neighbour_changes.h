@@ -10,6 +10,26 @@
 
 namespace annulus::inline v1 {
 
+/// Pairs of vertices, the smaller index first, ascending.
+using Vertex_pairs = std::vector<std::pair<Index, Index>>;
+
+/// The edges of these cells, d + 1 vertices each, each edge once. Infinite vertices and `none` have no edges.
+template <int d>
+[[nodiscard]] Vertex_pairs edges_of_cells(std::span<const Index> cells);
+
+/// The edges that one call made and broke, from the cells that came and went (Move_result::changed and gone): see
+/// Neighbour_changes.
+struct Edge_changes {
+    Vertex_pairs made, broken;
+};
+template <int d>
+[[nodiscard]] Edge_changes edge_changes(std::span<const Index> came, std::span<const Index> gone);
+
+extern template Vertex_pairs edges_of_cells<2>(std::span<const Index>);
+extern template Vertex_pairs edges_of_cells<3>(std::span<const Index>);
+extern template Edge_changes edge_changes<2>(std::span<const Index>, std::span<const Index>);
+extern template Edge_changes edge_changes<3>(std::span<const Index>, std::span<const Index>);
+
 /// Two points that became neighbours, or no longer are.
 struct Neighbour_change {
     std::uint64_t first = 0, second = 0;  ///< ids, first < second
@@ -37,9 +57,7 @@ class Neighbour_changes {
     [[nodiscard]] std::vector<Neighbour_change> take();
 
   private:
-    using Edges = std::vector<std::pair<Index, Index>>;
-    static void edges_of(std::span<const Index> cells, Edges& edges);
-    void enter(const Edges& edges, const Edges& others, int sign);
+    void enter(const Vertex_pairs& edges, int sign);
 
     struct Signed {
         std::pair<std::uint64_t, std::uint64_t> pair;
@@ -47,7 +65,6 @@ class Neighbour_changes {
     };
     std::vector<std::uint64_t> id_;
     std::vector<Signed> changes_;
-    Edges came_, gone_;
 };
 
 extern template class Neighbour_changes<2>;

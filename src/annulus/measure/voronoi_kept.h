@@ -5,6 +5,7 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/measure/voronoi_terms.h>
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -34,10 +35,16 @@ class Kept_voronoi_volumes {
     std::span<const double> update(std::span<const Coordinates<d>> x);
     /// The number of volumes that the last update computed.
     [[nodiscard]] std::size_t computed() const { return computed_; }
+    [[nodiscard]] const Corner_table<d>& table() const { return mesh_.table(); }
+    /// By cell, in the unit 2^exponent, at the positions of the last update; those of infinite cells have no meaning.
+    /// None if doubles are of no use, or cells do not have d + 1 corners.
+    [[nodiscard]] std::span<const Circumcentre<d>> centres() const {
+        return x_.empty() || !std::isnormal(scale()) ? std::span<const Circumcentre<d>>() : centre_;
+    }
+    [[nodiscard]] int exponent() const { return exponent_; }
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    [[nodiscard]] const Corner_table<d>& table() const { return mesh_.table(); }
     [[nodiscard]] bool is_present(std::size_t v) const {
         return v < mesh_.vertex_bound() && mesh_.has(static_cast<Index>(v));
     }

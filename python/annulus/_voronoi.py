@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`Voronoi`, the diagram that `MovingDelaunay.voronoi` returns, and regions to which cells are clipped."""
+
+from __future__ import annotations
+
+import functools
+import typing
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _arguments, _core
+from ._error import Error
+from ._queries import Floats, Indices
+
+
+class Voronoi:
+    """The Voronoi diagram of a `MovingDelaunay` at one moment, with the names of `scipy.spatial.Voronoi`.
+
+    Ridges are the facets that two cells have in common. Facets that are exactly empty (see `neighbor_list` of
+    `MovingDelaunay`) are not among them. Arrays by ridge are in the order of `ridge_points`; arrays by cell have a row
+    for each point, NaN at free indices. `scipy.spatial.voronoi_plot_2d` draws it.
+
+    Attributes
+    ----------
+    points : ndarray of float64, shape (npoints, d)
+    ridge_points : ndarray of int32, shape (nridges, 2)
+        The two points of each ridge, the smaller index first, ascending.
+    areas : ndarray of float64, shape (nridges,)
+        The length (2D) or area (3D) of each ridge; ``inf`` if it is unbounded.
+    ridge_centroids : ndarray of float64, shape (nridges, d)
+        NaN for unbounded ridges.
+    distances : ndarray of float64, shape (nridges,)
+        The distance of the two points.
+    volumes : ndarray of float64, shape (npoints,)
+        The area (2D) or volume (3D) of each cell; ``inf`` if it is unbounded.
+    centroids : ndarray of float64, shape (npoints, d)
+        Of the cells; NaN for unbounded ones.
+    surfaces : ndarray of float64, shape (npoints,)
+        The perimeter (2D) or area (3D) of the border of each cell.
+    vertices : ndarray of float64, shape (nvertices, d)
+        The corners of the cells: the circumcentres of the simplices, one for all simplices of cospherical points.
+            They, and the lists of them, do not depend on a clip.
+
+    Notes
+    -----
+    Without a clip each finite area, volume and surface has a relative error of at most 2**-32. With a clip, the
+    ridges and cells that it cuts have absolute errors: volumes of at most 2**-44 times the d-th power of the diameter
+    of clip and points. `voronoi.h` has the details. A ridge outside the clip has the area 0.
+    """
+
+    furthest_site = False
+    points: Floats
+    ridge_points: Indices
+    areas: Floats
+    ridge_centroids: Floats
+    distances: Floats
+    volumes: Floats
+    centroids: Floats
+    surfaces: Floats
+    vertices: Floats
+
+    def __init__(self, points: Floats, parts: dict[str, typing.Any]) -> None:
+        self.points = points
+        full = ~parts["exactly_empty"]
+        self.ridge_points = parts["pairs"][full]
+        self.areas = parts["areas"][full]
+        self.ridge_centroids = parts["facet_centroids"][full]
+        self.distances = parts["distances"][full]
+        self.volumes = parts["volumes"]
+        self.centroids = parts["centroids"]
+        self.surfaces = parts["surfaces"]
+        first = parts["vertex_of_simplex"]
+        kept = np.flatnonzero(first == np.arange(len(first)))
+        number = np.full(len(first) + 1, -1, dtype=np.int32)  # the last one stays -1, for infinity
+        number[kept] = np.arange(len(kept), dtype=np.int32)
+        self.vertices = parts["vertices"][kept]
+        self._rings = _without_repetitions(parts["ring_begin"], number[np.append(first, -1)[parts["ring"]]], full)
+
+    @functools.cached_property
+    def ridge_vertices(self) -> list[list[int]]:
+        """list of lists of int: the vertices around each ridge, in order, -1 for infinity, which comes first."""
+        begin, index = self._rings
+        return [list(ring) for ring in np.split(index, begin[1:-1])] if len(begin) > 1 else []
+
+    @functools.cached_property
+    def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
+        """dict: the vertices of each ridge by its two points."""
+        return {(int(i), int(j)): ring for (i, j), ring in zip(self.ridge_points, self.ridge_vertices)}
+
+    @property
+    def point_region(self) -> NDArray[np.intp]:
+        """ndarray of int, shape (npoints,): the row of `regions` of each point, which is its own; -1 at free
+        indices."""
+        return np.where(np.isnan(self.points[:, 0]), -1, np.arange(len(self.points)))
+
+    @functools.cached_property
+    def regions(self) -> list[list[int]]:
+        """list of lists of int: the vertices of each cell; -1, which comes first, if the cell is unbounded. In 2D
+        counter-clockwise."""
+        begin, index = self._rings
+        ridge = np.repeat(np.arange(len(begin) - 1), np.diff(begin))
+        cell = self.ridge_points[ridge].reshape(-1)
+        pairs = np.unique(np.column_stack([cell, np.repeat(index, 2)]), axis=0)
+        if self.points.shape[1] == 2:
+            pairs = self._in_order(pairs)
+        split = np.searchsorted(pairs[:, 0], np.arange(1, len(self.points)))
+        return [list(region) for region in np.split(pairs[:, 1], split)]
+
+    def _in_order(self, pairs: NDArray[np.int32]) -> NDArray[np.int32]:
+        """Sorted by cell, -1 first, then by angle around the point; of unbounded cells from the widest gap on."""
+        to = self.vertices[pairs[:, 1]] - self.points[pairs[:, 0]] if len(self.vertices) else np.empty((len(pairs), 2))
+        angle = np.where(pairs[:, 1] < 0, -np.inf, np.arctan2(to[:, 1], to[:, 0]))
+        order = np.lexsort((angle, pairs[:, 0]))
+        pairs, angle = pairs[order], angle[order]
+        for k in np.flatnonzero(pairs[:, 1] < 0):
+            end = np.searchsorted(pairs[:, 0], pairs[k, 0], side="right")
+            if end - k > 2:
+                mine = angle[k + 1:end]
+                gap = np.append(np.diff(mine), mine[0] + 2 * np.pi - mine[-1])
+                pairs[k + 1:end] = np.roll(pairs[k + 1:end], -(np.argmax(gap) + 1), axis=0)
+        return pairs
+
+    def __repr__(self) -> str:
+        return f"<Voronoi: {len(self.points)} points, {len(self.ridge_points)} ridges in {self.points.shape[1]}D>"
+
+
+def _without_repetitions(begin: Indices, index: Indices, full: NDArray[np.bool_]) -> tuple[Indices, Indices]:
+    """The lists that are `full`, each, as a cycle, without equal neighbours."""
+    size = np.diff(begin)
+    owner = np.repeat(np.arange(len(size)), size)
+    before = np.arange(len(index)) - 1
+    some = size > 0
+    before[begin[:-1][some]] = begin[1:][some] - 1
+    keep = ((index != index[before]) | (size[owner] == 1)) & full[owner] if len(index) else np.zeros(0, bool)
+    counts = np.bincount(owner[keep], minlength=len(size))[full]
+    return np.concatenate([[0], np.cumsum(counts)]).astype(np.int32), index[keep]
+
+
+def clip_of(clip: ArrayLike | None, ndim: int) -> tuple[Floats | None, Floats | None]:
+    """The box and the half-spaces of a clip, as the compiled module takes them."""
+    if clip is None:
+        return None, None
+    rows = _core.clip_numbers(clip)
+    if rows.ndim == 2 and rows.shape == (2, ndim):
+        return rows, None
+    if rows.ndim == 2 and rows.shape[1] == ndim + 1:
+        return None, rows
+    if rows.ndim == 2 and ndim == 2 and rows.shape[1] == 2 and len(rows) > 2:
+        return None, _polygon(rows)
+    raise Error("clip must be a box, shape (2, d), half-spaces, shape (m, d + 1), or in 2D a convex polygon, shape "
+                f"(m, 2); not {_arguments.described(rows)}", "wrong_size")
+
+
+def _polygon(corners: Floats) -> Floats:
+    """The half-planes of a convex polygon."""
+    if not np.isfinite(corners).all():
+        raise Error("clip has a corner that is not finite", "not_finite")
+    edges = np.roll(corners, -1, axis=0) - corners
+    turns = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
+    if np.any(turns < 0) and np.any(turns > 0) or not np.any(turns):
+        raise Error("clip must be a convex polygon", "bad_input")
+    normals = np.column_stack([edges[:, 1], -edges[:, 0]]) * (1 if turns.sum() > 0 else -1)
+    proper = np.any(edges != 0, axis=1)
+    rows: Floats = np.column_stack([normals, -np.sum(normals * corners, axis=1)])[proper]
+    return rows
+
+
+def t1(report: _core.MoveResult) -> Indices:
+    """The T1 transitions of a step in 2D: where two cells lost their contact, and two others came into contact.
+
+    Parameters
+    ----------
+    report : MoveResult
+        Of a `MovingDelaunay` in 2D with ``report_changes=True``.
+
+    Returns
+    -------
+    ndarray of int32, shape (m, 4)
+        Rows (i, j, k, l): i and j were neighbours before the step, k and l are neighbours since, i < j, k < l; the
+        triangles i j k and i j l became k l i and k l j. Ascending.
+
+    Raises
+    ------
+    Error
+        With the code ``usage`` for a report in 3D or without changes.
+
+    Notes
+    -----
+    Where flips follow one another in one place within a step there is no such quadrilateral: these pairs are in
+    `MoveResult.edges_broken` and `edges_made`, and not here. A point that passes through the hull makes or breaks a
+    pair by itself. Cocircular points may change their diagonal, which is a transition between empty facets.
+    """
+    if not isinstance(report, _core.MoveResult):
+        raise TypeError(f"report must be a MoveResult, not {_arguments.described(report)}")
+    made, removed, changed = report.edges_made, report.removed_simplices, report.changed_simplices
+    if removed.shape[1] != 3:
+        raise Error("report must be that of a move in 2D", "usage")
+    across: dict[tuple[int, int], list[int]] = {}
+    for a, b, c in removed.tolist():
+        for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
+            across.setdefault((min(i, j), max(i, j)), []).append(k)
+    new = {tuple(sorted(row)) for row in changed.tolist()}
+    made_pairs = set(map(tuple, made.tolist()))
+    out = []
+    for i, j in np.asarray(report.edges_broken).tolist():
+        opposite = sorted(across.get((i, j), []))
+        if len(opposite) != 2:
+            continue
+        k, l = opposite
+        if (k, l) in made_pairs and tuple(sorted((i, k, l))) in new and tuple(sorted((j, k, l))) in new:
+            out.append((i, j, k, l))
+    return np.array(out, dtype=np.int32).reshape(-1, 4)

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Voronoi diagrams of a mesh, gradients of volumes, neighbours, nearest vertices.
+#include <module/mesh_locked.h>
+#include <module/parts.h>
+
+#include <annulus/arithmetic/domain.h>
+#include <annulus/measure/nearest_vertex.h>
+#include <annulus/voronoi.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace annulus::python {
+
+namespace {
+
+/// From an array of shape (2, d), a box, or None; and an array of shape (m, d + 1), half-spaces A x + b <= 0, or None.
+template <int d>
+std::optional<Voronoi_clip<d>> clip_of(const py::object& box, const py::object& half_spaces) {
+    if (box.is_none() && half_spaces.is_none()) return std::nullopt;
+    Voronoi_clip<d> clip;
+    if (!half_spaces.is_none()) {
+        const Numbers rows = numbers_of(half_spaces, "clip");
+        if (rows.ndim() != 2 || rows.shape(1) != d + 1)
+            throw Error(Error_code::wrong_size, "clip must have shape (m, d + 1), not " + shape_of(rows));
+        for (py::ssize_t r = 0; r < rows.shape(0); ++r) {
+            auto& [normal, offset] = clip.half_spaces.emplace_back();
+            for (int k = 0; k < d; ++k) normal[static_cast<std::size_t>(k)] = rows.at(r, k);
+            offset = -rows.at(r, d);
+        }
+    }
+    if (box.is_none()) {
+        const std::vector<Half_space<d>> given = std::move(clip.half_spaces);
+        return voronoi_clip<d>(given);
+    }
+    const Points_in<d> corners(box, "clip");
+    if (corners.span().size() != 2)
+        throw Error(Error_code::wrong_size, "clip must have two rows, the lower and the upper corner of a box");
+    clip.lower = corners.span()[0];
+    clip.upper = corners.span()[1];
+    return clip;
+}
+
+template <int d>
+Voronoi_diagram<d> diagram_of(const Mesh<d>& mesh, const std::optional<Voronoi_clip<d>>& clip) {
+    return mesh.read([&](const Moving_mesh<d>& m) { return clip ? voronoi(m, *clip) : voronoi(m); });
+}
+
+/// NumPy's bool is a byte that is 0 or 1.
+py::array give_flags(std::vector<char> flags) {
+    static_assert(sizeof(bool) == 1);
+    auto owner = std::make_shared<const std::vector<char>>(std::move(flags));
+    const auto n = static_cast<py::ssize_t>(owner->size());
+    const auto* const data = reinterpret_cast<const bool*>(owner->data());
+    return view<bool>(data, {n}, std::move(owner));
+}
+
+template <int d>
+py::dict voronoi_of(const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
+    Voronoi_diagram<d> v = diagram_of<d>(mesh, clip_of<d>(box, half_spaces));
+    py::dict out;
+    out["pairs"] = give_rows(std::move(v.pair));
+    out["areas"] = give(std::move(v.measure));
+    out["facet_centroids"] = give_rows(std::move(v.centroid));
+    out["distances"] = give(std::move(v.distance));
+    out["vectors"] = give_rows(std::move(v.vector));
+    out["exactly_empty"] = give_flags(std::move(v.exactly_empty));
+    out["ring_begin"] = give(std::move(v.ring_begin));
+    out["ring"] = give(std::move(v.ring));
+    out["vertices"] = give_rows(std::move(v.vertex));
+    out["vertex_of_simplex"] = give(std::move(v.vertex_of_cell));
+    out["volumes"] = give(std::move(v.volume));
+    out["centroids"] = give_rows(std::move(v.cell_centroid));
+    out["surfaces"] = give(std::move(v.surface));
+    return out;
+}
+
+/// Points of any shape (.., d), as find_simplex takes them.
+template <int d>
+py::array nearest_vertex(const Mesh<d>& mesh, const py::object& object) {
+    const Numbers x = numbers_of(object, "xi");
+    if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
+        throw Error(Error_code::wrong_size, "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
+    std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim() - 1);
+    const Points_in<d> queries(x.attr("reshape")(x.size() / d, d).template cast<Numbers>(), "xi");
+    return give(mesh.read([&](const Moving_mesh<d>& of) {
+        const auto points = queries.span();
+        for (std::size_t k = 0; k < points.size(); ++k)
+            require_in_domain(points[k], "point", static_cast<std::int64_t>(k));
+        if (of.number_of_vertices() == 0) throw Error(Error_code::too_few, "there is no vertex to be the nearest");
+        Index first = 0;
+        while (!of.is_vertex(first)) ++first;
+        std::vector<Index> found = of.find_cells(points);
+        const auto& cells = of.cell_lists()->cells.vertices;
+        for (Index& f : found)
+            if (f >= 0) f = cells[at(f)][0];
+        nearest_vertices<d>(of.points(), *of.vertex_neighbors(), first, points, found);
+        return found;
+    }),
+                std::move(shape));
+}
+
+template <int d>
+void add(py::module_& m) {
+    m.def("nearest_vertex", &nearest_vertex<d>);
+    m.def("voronoi", &voronoi_of<d>);
+    m.def("clipped_volumes", [](const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
+        return give(diagram_of<d>(mesh, clip_of<d>(box, half_spaces)).volume);
+    });
+    m.def("voronoi_gradient", [](const Mesh<d>& mesh, const py::object& weights) {
+        const Numbers g = numbers_of(weights, "g");
+        if (g.ndim() != 1) throw Error(Error_code::wrong_size, "g must have shape (npoints,), not " + shape_of(g));
+        const std::span<const double> span(g.data(), static_cast<std::size_t>(g.size()));
+        return give_rows(mesh.read([&](const Moving_mesh<d>& of) { return of.voronoi_gradient(span); }));
+    });
+    m.def("voronoi_jacobian", [](const Mesh<d>& mesh) {
+        Voronoi_jacobian<d> j = mesh.read(
+            [](const Moving_mesh<d>& of) { return voronoi_jacobian<d>(of.points(), of.cell_lists()->cells); });
+        return py::make_tuple(give(std::move(j.begin)), give(std::move(j.index)), give_rows(std::move(j.value)));
+    });
+}
+
+}  // namespace
+
+void add_voronoi(py::module_& m) {
+    m.def("clip_numbers", [](const py::object& object) { return numbers_of(object, "clip"); });
+    add<2>(m);
+    add<3>(m);
+}
+
+}  // namespace annulus::python

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/mesh_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+/// The cells around one edge of a triangulation.
+struct Edge_ring {
+    Index i, j;                    ///< i < j
+    std::span<const Index> cells;  ///< in 3D in order, counter-clockwise seen from j; in 2D one or two
+    /// Of each cell the corner opposite to the facet that leads to the next one; in 2D of the first.
+    std::span<const char> crossing;
+    bool open;  ///< the edge is in the hull: the facet before the first cell and that after the last one are
+};
+
+/// Visits every edge of a triangulation once: of points that span d dimensions, with valid neighbours. O(n).
+template <int d>
+class Edge_rings {
+  public:
+    explicit Edge_rings(const Mesh_cells<d>& cells) : cells_(cells) {
+        if constexpr (d == 3) done_.assign(cells.vertices.size(), 0);
+    }
+
+    template <class Visit>
+    void for_each(Visit visit) {
+        for (std::size_t c = 0; c < cells_.vertices.size(); ++c) {
+            if constexpr (d == 2) visit_edges(static_cast<Index>(c), visit);
+            else
+                for (std::size_t e = 0; e < 6; ++e)
+                    if ((done_[c] >> e & 1) == 0) visit(ring_of(static_cast<Index>(c), e));
+        }
+    }
+
+  private:
+    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    /// A cell and its corners a, b, k, l, an even permutation: the edge a b, then a step from k to l.
+    struct Step {
+        Index cell;
+        std::size_t a, b, k, l;
+    };
+    static constexpr std::size_t ends[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                               {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+    template <class Visit>
+    void visit_edges(Index c, Visit& visit) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index n = cells_.neighbours[at(c)][k];
+            if (n != cells_.outside && n < c) continue;
+            const Index p = cells_.vertices[at(c)][(k + 1) % 3];
+            const Index q = cells_.vertices[at(c)][(k + 2) % 3];
+            const bool open = n == cells_.outside;
+            const std::array<Index, 2> both{c, n};
+            const char crossing = static_cast<char>(k);
+            visit(Edge_ring{std::min(p, q), std::max(p, q), std::span(both).first(open ? 1 : 2), {&crossing, 1}, open});
+        }
+    }
+
+    /// The cell beyond the facet opposite to corner `across`, where this is s.k (forward) or s.l; its other corner.
+    [[nodiscard]] Step next(const Step& s, bool forward) const {
+        const auto& v = cells_.vertices[at(s.cell)];
+        Step out{cells_.neighbours[at(s.cell)][forward ? s.k : s.l], 0, 0, 0, 0};
+        if (out.cell == cells_.outside) return out;
+        const auto& w = cells_.vertices[at(out.cell)];
+        const Index kept = v[forward ? s.l : s.k];
+        std::size_t of_kept = 0;
+        for (std::size_t n = 0; n < 4; ++n) {
+            if (w[n] == v[s.a]) out.a = n;
+            else if (w[n] == v[s.b]) out.b = n;
+            else if (w[n] == kept) of_kept = n;
+        }
+        const std::size_t other = 6 - out.a - out.b - of_kept;
+        out.k = forward ? of_kept : other;
+        out.l = forward ? other : of_kept;
+        return out;
+    }
+
+    void mark(const Step& s) {
+        const std::size_t low = std::min(s.a, s.b);
+        const std::size_t high = std::max(s.a, s.b);
+        done_[at(s.cell)] |= static_cast<unsigned char>(1U << (low == 0 ? high - 1 : low + high));
+    }
+
+    Edge_ring ring_of(Index c, std::size_t e) {
+        Step s{c, ends[e][0], ends[e][1], ends[e][2], ends[e][3]};
+        if (cells_.vertices[at(c)][s.a] > cells_.vertices[at(c)][s.b]) {
+            std::swap(s.a, s.b);
+            std::swap(s.k, s.l);
+        }
+        const Index i = cells_.vertices[at(c)][s.a];
+        const Index j = cells_.vertices[at(c)][s.b];
+        ring_.clear();
+        crossing_.clear();
+        Step t = s;
+        bool open = false;
+        do {
+            note(t);
+            t = next(t, true);
+            open = t.cell == cells_.outside;
+        } while (!open && t.cell != c);
+        if (open) {
+            const auto seen = static_cast<std::ptrdiff_t>(ring_.size());
+            for (t = next(s, false); t.cell != cells_.outside; t = next(t, false)) note(t);
+            std::reverse(ring_.begin() + seen, ring_.end());
+            std::reverse(crossing_.begin() + seen, crossing_.end());
+            std::rotate(ring_.begin(), ring_.begin() + seen, ring_.end());
+            std::rotate(crossing_.begin(), crossing_.begin() + seen, crossing_.end());
+        }
+        return {i, j, ring_, crossing_, open};
+    }
+    void note(const Step& s) {
+        ring_.push_back(s.cell);
+        crossing_.push_back(static_cast<char>(s.k));
+        mark(s);
+    }
+
+    const Mesh_cells<d>& cells_;
+    std::vector<unsigned char> done_;  // a bit for each edge of a cell
+    std::vector<Index> ring_;
+    std::vector<char> crossing_;
+};
+
+}  // namespace annulus::inline v1

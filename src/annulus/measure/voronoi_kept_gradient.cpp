@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/measure/voronoi_kept_gradient.h>
+
+#include <annulus/error.h>
+#include <annulus/measure/voronoi_facet_exact.h>
+#include <annulus/mesh/list_cells.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// Adds the terms of Voronoi edges to the gradient, from circumcentres that are there already. The same terms as in
+/// voronoi_gradient.cpp, and the same errors: with D from one circumcentre to the other, off by g, and e from i to j,
+/// which is perpendicular to D, A / |e| is |D x e| / e^2, off by g |e| / e^2 and some units of u.
+class Edge_terms {
+  public:
+    /// By vertex: positions, and weights, 0 unless the cell is bounded. By cell: circumcentres, in the unit 2^exponent.
+    Edge_terms(const Corner_table<2>& table, std::span<const Coordinates<2>> x, std::vector<double> weights,
+               std::span<const Circumcentre<2>> centre, int exponent)
+        : table_(table),
+          x_(x),
+          weights_(std::move(weights)),
+          centre_(centre),
+          exponent_(exponent),
+          scale_(std::ldexp(1.0, -exponent)),
+          gradient_(x.size()) {}
+
+    /// Of the edges of a finite cell beyond which there is a finite cell with a larger number.
+    void add_cell(Cell_index c) {
+        std::array<Index, 3> v;
+        for (std::size_t i = 0; i < 3; ++i) v[i] = table_.vertex(table_.corner(c, static_cast<int>(i)));
+        const std::array<double, 3> w{weights_[at(v[0])], weights_[at(v[1])], weights_[at(v[2])]};
+        const std::array<Coordinates<2>, 3> corner{{{}, to(v[0], v[1]), to(v[0], v[2])}};
+        const Circumcentre<2>& left = centre_[c.offset()];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t p = (i + 1) % 3;
+            const std::size_t q = (i + 2) % 3;
+            const double difference = w[p] - w[q];
+            if (difference == 0) continue;
+            const Cell_index n = table_.cell_of(table_.twin(table_.corner(c, static_cast<int>(i))));
+            if (n.value() < c.value() || table_.is_infinite(n)) continue;
+            const Circumcentre<2>& right = centre_[n.offset()];
+            const Coordinates<2> base = to(v[0], table_.vertex(table_.corner(n, 0)));
+            const Coordinates<2> other{base[0] + right.offset[0], base[1] + right.offset[1]};
+            const Coordinates<2> dual{other[0] - left.offset[0], other[1] - left.offset[1]};
+            const Coordinates<2> e =
+                i == 0 ? to(v[p], v[q]) : Coordinates<2>{corner[q][0] - corner[p][0], corner[q][1] - corner[p][1]};
+            const double area = std::fabs(dual[0] * e[1] - dual[1] * e[0]);
+            const double square = e[0] * e[0] + e[1] * e[1];
+            const double moved = left.error + right.error + u * (size(base) + size(other) + 16 * size(dual));
+            if (square > 0x1p-800 && size(e) * moved + lost < 0x1p-35 * area)
+                add(v[p], v[q], difference * (area / square),
+                    {0.5 * (left.offset[0] + other[0]) - corner[p][0],
+                     0.5 * (left.offset[1] + other[1]) - corner[p][1]},
+                    e);
+            else add_exactly(c, n, v[p], v[q], difference);
+        }
+    }
+    std::vector<Coordinates<2>> take() {
+        const double unit = std::ldexp(1.0, exponent_);
+        for (auto& v : gradient_)
+            for (double& k : v) k *= unit;
+        return std::move(gradient_);
+    }
+
+  private:
+    static constexpr double u = bounds::u;
+    static constexpr double lost = 0x1p-900;
+
+    static double size(const Coordinates<2>& x) { return std::fabs(x[0]) + std::fabs(x[1]); }
+    [[nodiscard]] Coordinates<2> to(Index a, Index b) const {
+        return Euclidean<2>::difference(x_[at(b)], x_[at(a)], [this](double p, double q) { return (p - q) * scale_; });
+    }
+    void add(Index p, Index q, double factor, const Coordinates<2>& centroid, const Coordinates<2>& e) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            gradient_[at(p)][k] += factor * centroid[k];
+            gradient_[at(q)][k] -= factor * (centroid[k] - e[k]);
+        }
+    }
+    [[gnu::noinline]] void add_exactly(Cell_index c, Cell_index n, Index p, Index q, double difference) {
+        Mesh_cells<2> both;
+        Corners<2> corners;
+        for (const Cell_index cell : {c, n}) {
+            auto& v = both.vertices.emplace_back();
+            for (int i = 0; i < 3; ++i) v[static_cast<std::size_t>(i)] = table_.vertex(table_.corner(cell, i));
+        }
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = x_[at(both.vertices[0][i])];
+        for (const Index v : both.vertices[1])
+            if (v != p && v != q && is_on_circumsphere<2>(corners, x_[at(v)])) return;
+        const std::array<Index, 2> ring{0, 1};
+        const Facet_measure<2> edge = exact_facet<2>(x_, both, p, q, ring);
+        const Coordinates<2> e = to(p, q);
+        const double length = std::hypot(x_[at(q)][0] - x_[at(p)][0], x_[at(q)][1] - x_[at(p)][1]);
+        const double ratio = static_cast<double>(std::ldexp(edge.measure, edge.exponent) / length);
+        Coordinates<2> centroid;
+        for (std::size_t k = 0; k < 2; ++k) centroid[k] = std::ldexp(edge.centroid[k], edge.exponent - exponent_);
+        add(p, q, difference * ratio, centroid, e);
+    }
+
+    const Corner_table<2>& table_;
+    std::span<const Coordinates<2>> x_;
+    std::vector<double> weights_;
+    std::span<const Circumcentre<2>> centre_;
+    int exponent_;
+    double scale_;
+    std::vector<Coordinates<2>> gradient_;
+};
+
+}  // namespace
+
+std::vector<Coordinates<2>> edge_gradient(Kept_voronoi_volumes<2>& kept, std::span<const Coordinates<2>> x,
+                                          std::span<const double> weights) {
+    if (weights.size() != x.size())
+        throw Error(Error_code::wrong_size, "there are weights of " + std::to_string(weights.size()) + " cells for " +
+                                                std::to_string(x.size()) + " points");
+    const std::span<const double> volume = kept.update(x);
+    const Corner_table<2>& table = kept.table();
+    if (kept.centres().empty()) return voronoi_gradient<2>(x, mesh_cells<2>(table), weights);
+    std::vector<double> of_bounded(weights.begin(), weights.end());
+    for (std::size_t v = 0; v < of_bounded.size(); ++v)
+        if (!std::isfinite(volume[v])) of_bounded[v] = 0;
+    Edge_terms terms(table, x, std::move(of_bounded), kept.centres(), kept.exponent());
+    for (const Cell_index c : table.cells())
+        if (!table.is_infinite(c)) terms.add_cell(c);
+    return terms.take();
+}
+
+}  // namespace annulus::inline v1
