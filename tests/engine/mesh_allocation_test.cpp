@@ -60,7 +60,9 @@ TEMPLATE_TEST_CASE_SIG("A mesh whose call runs out of memory is as it was, and g
                         done = became == Starved::done;
                         if (became == Starved::refused) {
                             const bool gone = std::string_view(call.name) == "remove" && !mesh.is_vertex(12);
-                            REQUIRE(Points_d<d>(mesh.points().begin(), mesh.points().end()) == points);
+                            Points_d<d> now(mesh.points().begin(), mesh.points().end());
+                            if (gone) now[12] = points[12];  // no number there
+                            REQUIRE(now == points);
                             if (memory == Memory::short_for_good)
                                 (void)mesh.recompute_tolerances();  // there may have been no cells
                             if (!gone) REQUIRE(sorted_cells(mesh) == cells);
