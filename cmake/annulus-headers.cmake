@@ -5,6 +5,7 @@
 set(annulus_plain_headers
     annulus.h
     audit.h
+    box.h
     degeneracy.h
     error.h
     mesh_cells.h
