@@ -12,6 +12,8 @@ set(annulus_plain_headers
     move_report.h
     moving_mesh.h
     options.h
+    periodic_cells.h
+    periodic_mesh.h
     predicates.h
     types.h
     version.h
