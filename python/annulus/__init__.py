@@ -18,10 +18,11 @@ from ._core import version as __version__
 from ._error import Error, OpenBoundariesWarning
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
+from ._periodic import NotAvailableError, PeriodicDelaunay
 from ._queries import AuditResult, Fault
 
 __all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveReport", "MovingDelaunay", "NodtResult",
-           "OpenBoundariesWarning", "__version__", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
-           "predicates"]
+           "NotAvailableError", "OpenBoundariesWarning", "PeriodicDelaunay", "__version__", "audit",
+           "counterexample", "degeneracy", "lloyd", "nodt", "predicates"]
 
 MoveReport.__module__ = "annulus"
