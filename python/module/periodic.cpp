@@ -33,8 +33,8 @@ typename Box<d>::Vectors vectors_of(const py::object& object) {
             for (std::size_t j = 0; j < d; ++j) vectors[i][j] = x.data()[d * i + j];
     } else {
         const std::string n = std::to_string(d);
-        throw Error(Error_code::wrong_size,
-                    "box must have shape (" + n + ",), lengths, or (" + n + ", " + n + "), vectors, not " + shape_of(x));
+        throw Error(Error_code::wrong_size, "box must have shape (" + n + ",), lengths, or (" + n + ", " + n +
+                                                "), vectors, not " + shape_of(x));
     }
     return vectors;
 }

@@ -17,8 +17,8 @@ struct Periodic_cells {
     static constexpr std::size_t corners = d + 1;
     /// The vertices of each cell, positively oriented (mesh_cells.h). A vertex may occur several times.
     std::vector<std::array<Index, corners>> vertices;
-    /// Which image of the vertex a corner is: corner k of cell c is at points[vertices[c][k]] + offsets[c][k] . box. The
-    /// least offset of a cell is 0 in each direction.
+    /// Which image of the vertex a corner is: corner k of cell c is at points[vertices[c][k]] + offsets[c][k] . box.
+    /// The least offset of a cell is 0 in each direction.
     std::vector<std::array<Shift<d>, corners>> offsets;
     /// The cell beyond the facet opposite to each corner, never the cell itself. Two cells may share several facets.
     std::vector<std::array<Index, corners>> neighbours;

@@ -73,7 +73,8 @@ class Periodic_mesh {
     /// least this area. With the defaults facets that are exactly empty are not counted, and all others are. A point
     /// that is its own neighbour counts twice, once for each side. O(n). Throws not_finite for an area that is NaN.
     [[nodiscard]] std::vector<Index> neighbour_counts(double least_area = 0, bool strict = true) const;
-    /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's. O(n).
+    /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's.
+    /// O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
 
     /// Exact audit of the cells, for places() and box(); see periodic_cells.h. O(n).

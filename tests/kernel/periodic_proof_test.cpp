@@ -96,6 +96,37 @@ TEST_CASE("Positive, glued, locally Delaunay cells that cover the torus twice ar
     CHECK(built.is_proved(once));
 }
 
+TEST_CASE("A table is not proved where a vertex has moved through a facet, and two cells on one side are none",
+          "[kernel][periodic]") {
+    Periodic_cases cases(4);
+    const Box<2> box = cases.box<2>(0);
+    Built<2> built(box, cases.points<2>(box, 12));
+    for (std::size_t v = 0; v < 12; ++v) {
+        CAPTURE(v);
+        const Coordinates<2> before = std::exchange(built.place[v], built.lattice.representative({0.5, 0.25}, 0).place);
+        CHECK(!built.is_proved(built.table));
+        built.place[v] = before;
+    }
+    // One vertex moves through the opposite edge of the last cell alone: only that cell is inverted.
+    const std::size_t last = built.table.size() - 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto at = [&](std::size_t k) {
+            const Image<2> s = built.table.image(last, k);
+            return built.lattice.place(built.place[static_cast<std::size_t>(s.vertex)], s.label);
+        };
+        const Coordinates<2> a = at((i + 1) % 3), b = at((i + 2) % 3), p = at(i);
+        const auto v = static_cast<std::size_t>(built.table.vertex[last][i]);
+        const Coordinates<2> before = built.place[v];
+        for (std::size_t k = 0; k < 2; ++k) built.place[v][k] += 1.001 * ((a[k] + b[k]) / 2 - p[k]);
+        CHECK(!built.is_proved(built.table));
+        built.place[v] = before;
+    }
+    // A triangle twice, glued to itself: half of the torus, counted twice.
+    const Built<2> one(Box<2>({{{1, 0}, {0.25, 1}}}), {{0, 0}});
+    const auto twice = two_triangles({{{{{0, 0}, {1, 0}, {0, 1}}}, {{{0, 0}, {1, 0}, {0, 1}}}}}, {0, 1, 2});
+    CHECK(!one.is_proved(twice));
+}
+
 TEST_CASE("Of the diagonals of a square the perturbation proves one, and a diagonal that is too long none",
           "[kernel][periodic]") {
     const auto falling = two_triangles({{{{{0, 0}, {1, 0}, {0, 1}}}, {{{1, 0}, {1, 1}, {0, 1}}}}}, {1, 2, 0});
@@ -130,4 +161,19 @@ TEST_CASE("A collar that is too narrow is widened", "[kernel][periodic]") {
     builder.build(lattice, x, 1, table);
     CHECK(builder.attempts() > 1);
     CHECK(is_proved_delaunay<3>(table, lattice, x));
+}
+
+TEST_CASE("In a box that is thinner than the spacing of points the collar is as wide as needed at once",
+          "[kernel][periodic]") {
+    Periodic_cases cases(3);
+    for (const double length : {1e3, 1e6}) {
+        const Box<3> box = Box<3>::orthorhombic({length, 1, 1});
+        const Lattice<3> lattice(box.vectors());
+        auto x = cases.points<3>(box, 200);
+        for (auto& p : x) p = lattice.representative(p, 0).place;
+        Periodic_builder<3> builder;
+        Periodic_table<3> table;
+        builder.build(lattice, x, 1, table);
+        CHECK(builder.attempts() <= 3);
+    }
 }

@@ -19,17 +19,30 @@ constexpr double first_collar[] = {0, 0, 3.0, 2.8};  // by dimension, in mean sp
 constexpr double wider = 1.4;
 constexpr std::int32_t largest_offset = 5;  // a reach of 2.5, and places from -1/2 to 3/2
 
+/// The mean distance of neighbours, roughly. In a box that is thinner than that, points are spread over its other
+/// directions only.
+template <int d>
+double mean_spacing(double volume, Coordinates<d> heights, std::size_t points) {
+    std::sort(heights.begin(), heights.end());
+    const auto spacing = [&](std::size_t thin) {
+        return std::pow(volume / static_cast<double>(points), 1.0 / static_cast<double>(d - thin));
+    };
+    std::size_t thin = 0;
+    while (thin + 1 < d && heights[thin] < spacing(thin)) volume /= heights[thin++];
+    return spacing(thin);
+}
+
 /// A facet up to a translation, and where it is.
 template <int d>
-struct Half_facet {
+struct Open_facet {
     Facet_images<d> images;
     Corner_index corner;
 };
 
 /// The facet opposite to corner i, its first image at offset 0.
 template <int d>
-Half_facet<d> half_facet(const Periodic_table<d>& table, std::size_t c, std::size_t i) {
-    Half_facet<d> h{facet_images<d>(table.images(c), i), table.corner(c, i)};
+Open_facet<d> open_facet(const Periodic_table<d>& table, std::size_t c, std::size_t i) {
+    Open_facet<d> h{facet_images<d>(table.images(c), i), table.corner(c, i)};
     const Offset<d> first = h.images[0].label;
     for (Image<d>& s : h.images) s.label = s.label - first;
     return h;
@@ -61,8 +74,8 @@ void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coord
     copy_.clear();
     attempts_ = 0;
     if (place.empty()) return;
-    const double spacing = std::pow(lattice.volume() / static_cast<double>(place.size()), 1.0 / d);
     const Coordinates<d> heights = lattice.heights();
+    const double spacing = mean_spacing<d>(lattice.volume(), heights, place.size());
     double limit = 1;  // in reaches; in a box as thin as its grid these are not accurate
     for (double width = first_collar[d] * spacing;; width *= wider) {
         ++attempts_;
@@ -148,15 +161,15 @@ bool Periodic_builder<d>::keep_one_of_each(Periodic_table<d>& table) {
 
 template <int d>
 bool Periodic_builder<d>::match_facets(Periodic_table<d>& table) {
-    std::vector<Half_facet<d>> open;
+    std::vector<Open_facet<d>> open;
     for (std::size_t c = 0; c < table.size(); ++c)
         for (std::size_t i = 0; i <= d; ++i) {
             const Corner_index t = table.twin[c][i];
             const Index m = kept_[table.cell_of(t)];
             table.twin[c][i] = m < 0 ? no_corner : table.corner(static_cast<std::size_t>(m), table.slot_of(t));
-            if (m < 0) open.push_back(half_facet(table, c, i));
+            if (m < 0) open.push_back(open_facet(table, c, i));
         }
-    std::sort(open.begin(), open.end(), [](const Half_facet<d>& l, const Half_facet<d>& r) {
+    std::sort(open.begin(), open.end(), [](const Open_facet<d>& l, const Open_facet<d>& r) {
         return l.images != r.images ? l.images < r.images : l.corner < r.corner;
     });
     if (open.size() % 2 != 0) return false;

@@ -30,8 +30,7 @@ class Periodic_builder {
     /// Error(duplicate_point), naming two vertices whose places differ by a vector of the lattice, Error(too_large),
     /// bad_alloc; the table is then unspecified. Expected O(n) for points that are not all on few spheres or curves;
     /// docs/periodic.md has what it costs.
-    void build(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, int threads,
-               Periodic_table<d>& table);
+    void build(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, int threads, Periodic_table<d>& table);
     /// How many copies the last build triangulated, and how many it tried.
     [[nodiscard]] std::size_t copies() const { return copy_.size(); }
     [[nodiscard]] int attempts() const { return attempts_; }

@@ -140,7 +140,7 @@ class Periodic_proof {
                 edge[k][i] = x[k + 1][i] - x[0][i];
                 magnitude = std::max(magnitude, std::fabs(edge[k][i]));
             }
-        sum_ += determinant(edge);
+        sum_ += determinant_of_rows(edge);
         error_ += error_of(magnitude) + 2 * bounds::u * sum_;  // of positive numbers, up to such errors
     }
 
@@ -166,11 +166,11 @@ class Periodic_proof {
             for (std::size_t k = 0; k < d; ++k)
                 for (std::size_t i = 0; i < d; ++i)
                     rows[k][i] = whole_number(x[k + 1][i], i) - whole_number(x[0][i], i);
-            sum += determinant(rows);
+            sum += determinant_of_rows(rows);
         }
         for (std::size_t k = 0; k < d; ++k)
             for (std::size_t i = 0; i < d; ++i) rows[k][i] = whole_number(lattice_.basis()[k][i], i);
-        return sum == (d == 2 ? 2 : 6) * determinant(rows);
+        return sum == (d == 2 ? 2 : 6) * determinant_of_rows(rows);
     }
 
     Periodic_table<d>& table_;

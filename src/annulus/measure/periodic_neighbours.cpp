@@ -113,8 +113,8 @@ class Edges {
         Edge<d>& e = edges_.emplace_back(Edge<d>{i, j, {}, {}, area});
         for (std::size_t k = 0; k < d; ++k) {
             e.vector[k] = direction * vector[k];
-            e.shift[k] = direction * shift[k] + image_[static_cast<std::size_t>(i)][k] -
-                         image_[static_cast<std::size_t>(j)][k];
+            e.shift[k] =
+                direction * shift[k] + image_[static_cast<std::size_t>(i)][k] - image_[static_cast<std::size_t>(j)][k];
         }
     }
 

@@ -111,7 +111,8 @@ std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, con
     std::vector<Voronoi_sum> sum(cells.points().size());
     const Voronoi_terms<d> terms(cells.points(), cells.centres(), places.scale(), sum);
     for (std::size_t c = 0; c < table.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
-    for (std::size_t k = place.size(); k < sum.size(); ++k) sum[at(cells.vertex_of(k))].add(sum[k].volume, sum[k].error);
+    for (std::size_t k = place.size(); k < sum.size(); ++k)
+        sum[at(cells.vertex_of(k))].add(sum[k].volume, sum[k].error);
     std::vector<double> volume(place.size());
     std::vector<char> poor(place.size(), 0);
     for (std::size_t v = 0; v < volume.size(); ++v) {

@@ -112,8 +112,8 @@ class Periodic_audit {
         const auto& cells = in_.cells;
         const bool glued = !cells.neighbours.empty() || !cells.translations.empty();
         if (cells.offsets.size() != cells.vertices.size() ||
-            (glued && (cells.neighbours.size() != cells.vertices.size() ||
-                       cells.translations.size() != cells.vertices.size())))
+            (glued &&
+             (cells.neighbours.size() != cells.vertices.size() || cells.translations.size() != cells.vertices.size())))
             throw Error(Error_code::wrong_size, "the arrays of the cells differ in length");
         for (std::size_t c = 0; c < cells.vertices.size(); ++c)
             for (const Index v : cells.vertices[c])
@@ -129,7 +129,7 @@ class Periodic_audit {
 
   private:
     static constexpr std::size_t corners = d + 1;
-    struct Side {
+    struct Facet_side {
         std::array<Corner<d>, static_cast<std::size_t>(d)> facet;  // up to a translation
         Shift<d> first;                                            // the translation
         bool odd;
@@ -188,8 +188,8 @@ class Periodic_audit {
         return x;
     }
 
-    [[nodiscard]] Side side(std::size_t c, std::size_t slot) const {
-        Side s{{}, {}, (d - slot) % 2 != 0, c, slot};
+    [[nodiscard]] Facet_side side(std::size_t c, std::size_t slot) const {
+        Facet_side s{{}, {}, (d - slot) % 2 != 0, c, slot};
         for (std::size_t i = 0, n = 0; i < corners; ++i)
             if (i != slot) s.facet[n++] = {in_.cells.vertices[c][i], in_.cells.offsets[c][i]};
         for (std::size_t k = 0; k < d; ++k)
@@ -205,10 +205,10 @@ class Periodic_audit {
     }
 
     void look_at_facets(bool glued) {
-        std::vector<Side> sides;
+        std::vector<Facet_side> sides;
         for (std::size_t c = 0; c < in_.cells.vertices.size(); ++c)
             for (std::size_t i = 0; i < corners; ++i) sides.push_back(side(c, i));
-        std::sort(sides.begin(), sides.end(), [](const Side& l, const Side& r) {
+        std::sort(sides.begin(), sides.end(), [](const Facet_side& l, const Facet_side& r) {
             if (l.facet != r.facet) return l.facet < r.facet;
             return l.cell != r.cell ? l.cell < r.cell : l.slot < r.slot;
         });
@@ -223,7 +223,7 @@ class Periodic_audit {
         }
     }
 
-    void look_at_facet(const Side& a, const Side& b, bool glued) {
+    void look_at_facet(const Facet_side& a, const Facet_side& b, bool glued) {
         if (glued && !(is_named(a, b) && is_named(b, a)))
             fault(Fault::hull_broken, "a neighbour of cell " + std::to_string(a.cell) + " is not the one at its facet",
                   {}, a.cell);
@@ -239,11 +239,11 @@ class Periodic_audit {
         if (sgn(outside) == 0) ++r_.degenerate_facets;
         if (sgn(outside) < 0)
             fault(Fault::not_delaunay,
-                  "the sphere of cell " + std::to_string(a.cell) + " holds an image of vertex " + std::to_string(v), {v},
-                  a.cell);
+                  "the sphere of cell " + std::to_string(a.cell) + " holds an image of vertex " + std::to_string(v),
+                  {v}, a.cell);
     }
     /// Whether a's cell says that b is its neighbour there, and how it is moved.
-    [[nodiscard]] bool is_named(const Side& a, const Side& b) const {
+    [[nodiscard]] bool is_named(const Facet_side& a, const Facet_side& b) const {
         if (in_.cells.neighbours[a.cell][a.slot] != static_cast<Index>(b.cell)) return false;
         for (std::size_t i = 0; i < d; ++i)
             if (in_.cells.translations[a.cell][a.slot][i] != a.first[i] - b.first[i]) return false;

@@ -18,8 +18,8 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr int bits = 49;              // of the grid: 2^bits units are the power of two above the extent
-constexpr double most_skew = 8;       // a coordinate of the box's vectors, in that power of two
+constexpr int bits = 49;                // of the grid: 2^bits units are the power of two above the extent
+constexpr double most_skew = 8;         // a coordinate of the box's vectors, in that power of two
 constexpr double nearly_reduced = 2.5;  // a reach that reduced bases do not exceed
 constexpr double most_images = 0x1p29;
 constexpr int most_exponent = 150;
@@ -38,14 +38,14 @@ double dot(const Coordinates<d>& a, const Coordinates<d>& b) {
 /// The rows that give coordinates in this basis: row j times p is the j-th.
 template <int d>
 Vectors_of<d> dual_of(const Vectors_of<d>& basis) {
-    const double whole = determinant(basis);
+    const double whole = determinant_of_rows(basis);
     Vectors_of<d> dual;
     for (std::size_t j = 0; j < d; ++j)
         for (std::size_t i = 0; i < d; ++i) {
             Vectors_of<d> replaced = basis;
             replaced[j] = {};
             replaced[j][i] = 1;
-            dual[j][i] = determinant(replaced) / whole;
+            dual[j][i] = determinant_of_rows(replaced) / whole;
         }
     return dual;
 }
@@ -86,8 +86,9 @@ Coordinates<d> reach_of(const Vectors_of<d>& dual, const Superbase<d>& superbase
 }
 
 [[noreturn]] void throw_skewed() {
-    throw Error(Error_code::usage, "the box is too skewed: a vector is more than eight times as long along an axis as "
-                                   "the extent of a reduced box of its lattice; reduce it first");
+    throw Error(Error_code::usage,
+                "the box is too skewed: a vector is more than eight times as long along an axis as "
+                "the extent of a reduced box of its lattice; reduce it first");
 }
 
 [[noreturn]] void throw_thin() {
@@ -132,7 +133,7 @@ int sign_of_determinant(const Vectors_of<d>& box) {
     const Scaled_integers exactly(numbers);
     std::array<std::array<mpz_class, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)> rows;
     for (std::size_t k = 0; k < numbers.size(); ++k) rows[k / d][k % d] = exactly.integer[k];
-    return sgn(determinant(rows));
+    return sgn(determinant_of_rows(rows));
 }
 
 }  // namespace
@@ -185,13 +186,13 @@ void Lattice<d>::choose_grid() {
         double extent = 0;
         for (std::size_t j = 0; j < d; ++j) extent += std::fabs(basis_[j][i]);
         if (!(extent >= std::ldexp(1.0, -most_exponent) && extent <= std::ldexp(1.0, most_exponent)))
-            throw Error(Error_code::out_of_domain, "the box extends along an axis by less than 2^-150 or more than 2^150");
+            throw Error(Error_code::out_of_domain,
+                        "the box extends along an axis by less than 2^-150 or more than 2^150");
         int exponent = std::ilogb(extent) + 1;
         if (extent > std::ldexp(1 - 0x1p-45, exponent)) ++exponent;
         grid_[i] = std::ldexp(1.0, exponent - bits);
         for (std::size_t j = 0; j < d; ++j) {
-            if (std::fabs(given_[j][i]) > std::ldexp(most_skew, exponent))
-                throw_skewed();
+            if (std::fabs(given_[j][i]) > std::ldexp(most_skew, exponent)) throw_skewed();
             box_[j][i] = rounded(given_[j][i], grid_[i]);
         }
     }
@@ -199,7 +200,7 @@ void Lattice<d>::choose_grid() {
 
 template <int d>
 double Lattice<d>::volume() const {
-    return determinant(basis_);
+    return determinant_of_rows(basis_);
 }
 
 template <int d>
@@ -259,7 +260,8 @@ Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64
             for (std::size_t c = 0; c < d; ++c) image[c] += static_cast<std::int64_t>(k) * to_box_[j][c];
         }
         for (std::size_t c = 0; c < d; ++c) {
-            if (!(std::fabs(f[c]) <= most_images) || !(std::fabs(p[c] / grid_[c]) < 0x1p100) || std::fabs(static_cast<double>(image[c])) > most_images)
+            if (!(std::fabs(f[c]) <= most_images) || !(std::fabs(p[c] / grid_[c]) < 0x1p100) ||
+                std::fabs(static_cast<double>(image[c])) > most_images)
                 throw Error(Error_code::out_of_domain,
                             "point " + std::to_string(i) + " is more than 2^29 boxes away from the origin", {i});
             r.image[c] = static_cast<std::int32_t>(image[c]);
@@ -304,7 +306,7 @@ Box<d>::Box(const Vectors& vectors) : vectors_(vectors) {
 
 template <int d>
 double Box<d>::volume() const noexcept {
-    return std::fabs(determinant(vectors_));
+    return std::fabs(determinant_of_rows(vectors_));
 }
 
 template class Box<2>;

@@ -78,11 +78,11 @@ extern template class Lattice<3>;
 
 /// det of the rows of m, by the formula that is meant: in doubles, or exactly in integers.
 template <class T>
-[[nodiscard]] T determinant(const std::array<std::array<T, 2>, 2>& m) {
+[[nodiscard]] T determinant_of_rows(const std::array<std::array<T, 2>, 2>& m) {
     return T(m[0][0] * m[1][1] - m[0][1] * m[1][0]);
 }
 template <class T>
-[[nodiscard]] T determinant(const std::array<std::array<T, 3>, 3>& m) {
+[[nodiscard]] T determinant_of_rows(const std::array<std::array<T, 3>, 3>& m) {
     return T(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
              m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
 }

@@ -39,7 +39,8 @@ struct Vectors_in_integers {
                 x[0][i] -= rows[j][i];
             }
         }
-        if (sgn(determinant(rows)) == 0) throw Error(Error_code::usage, "the vectors of the box span no volume");
+        if (sgn(determinant_of_rows(rows)) == 0)
+            throw Error(Error_code::usage, "the vectors of the box span no volume");
     }
 
     [[nodiscard]] mpz_class dot(std::size_t v, std::size_t w) const {

@@ -12,8 +12,7 @@ namespace annulus::inline v1 {
 /// An obtuse superbase of a lattice: d + 1 vectors with sum 0, any d of which are a basis, and no two at an acute
 /// angle. Each row is a vector as a combination of the vectors of the box.
 template <int d>
-using Superbase =
-    std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>;
+using Superbase = std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d + 1)>;
 
 /// Selling's algorithm, in integers: while v . w > 0 for two of the vectors, replace v by -v and add to the others but
 /// w what keeps the sum 0. Every step lowers the sum of the squared lengths, by 4 v . w in 2D and 2 v . w in 3D, and a
