@@ -5,12 +5,15 @@
 set(annulus_plain_headers
     annulus.h
     audit.h
+    box.h
     degeneracy.h
     error.h
     mesh_cells.h
     move_result.h
     moving_mesh.h
     options.h
+    periodic_cells.h
+    periodic_mesh.h
     predicates.h
     types.h
     version.h

@@ -18,11 +18,12 @@ from ._core import version as __version__
 from ._error import Error, OpenBoundariesWarning
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
+from ._periodic import NotAvailableError, PeriodicDelaunay
 from ._queries import AuditResult, Fault
 from ._voronoi import Voronoi, t1
 
 __all__ = ["AuditResult", "Error", "Fault", "LloydResult", "MoveResult", "MoveStatistics", "MovingDelaunay",
-           "NodtResult", "OpenBoundariesWarning", "Voronoi", "__version__", "audit", "counterexample", "degeneracy",
-           "lloyd", "nodt", "predicates", "t1"]
+           "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "PeriodicDelaunay", "Voronoi", "__version__",
+           "audit", "counterexample", "degeneracy", "lloyd", "nodt", "predicates", "t1"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

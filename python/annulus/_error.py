@@ -58,5 +58,4 @@ class Error(ValueError):
 
 
 class OpenBoundariesWarning(UserWarning):
-    """The object that points were taken from has a periodic box. annulus does not support periodic boxes: boundaries
-    are open."""
+    """The object that points were taken from has a periodic box, and no box was given: boundaries are open."""

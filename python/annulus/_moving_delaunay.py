@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import inspect
 import typing
 
 import numpy as np
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _arguments, _core
 from ._error import Error
 from ._neighbors import VoronoiQueries
+from ._periodic import NotAvailableError, made_with_box
 from ._queries import Indices
 
 
@@ -24,11 +26,14 @@ class MovingDelaunay(VoronoiQueries):
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length. Boundaries are open; periodic boxes are not supported. If an object has
-        one, its positions are taken, with an `OpenBoundariesWarning`. float32 and integers are converted exactly;
+        Positions, in any unit of length. Boundaries are open unless `box` is given: if an object has a periodic box,
+        its positions alone are taken, with an `OpenBoundariesWarning`. float32 and integers are converted exactly;
         values that would have to be rounded to float64 (long doubles, integers that are no float64) raise a
         `TypeError`. Any number of points is allowed, also fewer than d + 1, and they may lie on a line or in a
         plane.
+    box : array_like, shape (d,) or (d, d), optional
+        The lengths, or the vectors as rows, of a periodic box. The object is then a `PeriodicDelaunay`, whose
+        docstring says what it has.
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (in each step the cheapest of tolerances, signs with flips,
         and rebuilding, as estimated from counts), ``tolerances``, ``tolerances-each``, ``in-place``, ``rebuild``,
@@ -89,9 +94,17 @@ class MovingDelaunay(VoronoiQueries):
 
     _options: dict[str, typing.Any]
 
+    def __new__(cls, *arguments: typing.Any, **named: typing.Any) -> typing.Any:
+        if named.get("box") is None:
+            return super().__new__(cls)
+        if cls is not MovingDelaunay:
+            raise NotAvailableError(f"box is not available in {cls.__name__}: classes derived from MovingDelaunay have "
+                                    "open boundaries")
+        return made_with_box(*arguments, **named)
+
     def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
                  merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
-                 seed: int = 0) -> None:
+                 seed: int = 0, box: ArrayLike | None = None) -> None:
         options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
         array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
         shape = array.shape
@@ -205,6 +218,12 @@ class MovingDelaunay(VoronoiQueries):
         self._mesh = kind.build_again(points, state["free_indices"], options_of(more["_options"]))
         self.__dict__.update(more)
         self._vertex_of_input.flags.writeable = False
+
+
+# What `help` shows, and not what `__new__` passes on.
+setattr(MovingDelaunay, "__signature__", inspect.signature(MovingDelaunay.__init__).replace(
+    parameters=list(inspect.signature(MovingDelaunay.__init__).parameters.values())[1:],
+    return_annotation=inspect.Signature.empty))
 
 
 def options_of(o: dict[str, typing.Any]) -> _core.Options:

@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, m) {
     translate_errors();
     add_report(m);
     add_meshes(m);
+    add_periodic_meshes(m);
     add_degeneracy(m);
     add_predicates(m);
     add_voronoi(m);

@@ -14,6 +14,7 @@ namespace py = pybind11;
 
 void add_report(py::module_& m);
 void add_meshes(py::module_& m);
+void add_periodic_meshes(py::module_& m);
 void add_degeneracy(py::module_& m);
 void add_predicates(py::module_& m);
 void add_voronoi(py::module_& m);

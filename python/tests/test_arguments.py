@@ -39,6 +39,7 @@ WRONG = {
 # A call of each public function that is right, and quick.
 RIGHT = {
     "MovingDelaunay": (annulus.MovingDelaunay, {"points": X}),
+    "PeriodicDelaunay": (annulus.PeriodicDelaunay, {"points": X, "box": [1.0, 1.5]}),
     "move": (lambda **named: annulus.MovingDelaunay(X).move(**named), {"points": X}),
     "move some": (lambda **named: annulus.MovingDelaunay(X).move(**named), {"points": X[:3] + 1, "indices": [1, 2, 3]}),
     "insert": (lambda **named: annulus.MovingDelaunay(X).insert(**named), {"points": X[:3] + 1}),
@@ -66,7 +67,7 @@ RIGHT = {
 }
 # What these are made of is not looked at: results, and exceptions.
 PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveResult", "MoveStatistics", "Error",
-         "OpenBoundariesWarning", "Voronoi"}
+         "NotAvailableError", "OpenBoundariesWarning", "Voronoi"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The classes Periodic2 and Periodic3, behind annulus.PeriodicDelaunay.
+#include <module/arrays.h>
+#include <module/audit_tuple.h>
+#include <module/finalizing.h>
+#include <module/parts.h>
+#include <module/process_mutex.h>
+
+#include <annulus/periodic_mesh.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace annulus::python {
+
+namespace {
+
+/// Lengths, (d,), or vectors as rows, (d, d).
+template <int d>
+typename Box<d>::Vectors vectors_of(const py::object& object) {
+    const Numbers x = numbers_of(object, "box");
+    typename Box<d>::Vectors vectors{};
+    if (x.ndim() == 1 && x.shape(0) == d) {
+        for (std::size_t i = 0; i < d; ++i) vectors[i][i] = x.data()[i];
+    } else if (x.ndim() == 2 && x.shape(0) == d && x.shape(1) == d) {
+        for (std::size_t i = 0; i < d; ++i)
+            for (std::size_t j = 0; j < d; ++j) vectors[i][j] = x.data()[d * i + j];
+    } else {
+        const std::string n = std::to_string(d);
+        throw Error(Error_code::wrong_size, "box must have shape (" + n + ",), lengths, or (" + n + ", " + n +
+                                                "), vectors, not " + shape_of(x));
+    }
+    return vectors;
+}
+
+/// Shifts as int8, (m, corners, d).
+template <int d, std::size_t corners>
+py::array bytes_of(const std::vector<std::array<Shift<d>, corners>>& shifts) {
+    std::vector<std::int8_t> bytes;
+    bytes.reserve(shifts.size() * corners * d);
+    for (const auto& cell : shifts)
+        for (const Shift<d>& s : cell)
+            for (const std::int32_t x : s) {
+                if (!std::in_range<std::int8_t>(x))
+                    throw Error(Error_code::too_large, "an offset of " + std::to_string(x) +
+                                                           " boxes does not fit int8: points that are neighbours were "
+                                                           "given that many boxes apart");
+                bytes.push_back(static_cast<std::int8_t>(x));
+            }
+    const auto m = static_cast<py::ssize_t>(shifts.size());
+    return give(std::move(bytes), {m, static_cast<py::ssize_t>(corners), d});
+}
+
+/// A Periodic_mesh that threads of Python may share: a thread that computes holds the lock and not the GIL.
+template <int d>
+class Periodic {
+  public:
+    Periodic(const py::object& points, const py::object& box, int threads)
+        : mesh_(built(Points_in<d>(points), vectors_of<d>(box), threads)) {}
+
+    void move(const py::object& points, const py::object& box) {
+        const Points_in<d> x(points);
+        if (box.is_none()) {
+            locked([&] { mesh_.move_all(x.span()); });
+        } else {
+            const auto vectors = vectors_of<d>(box);
+            locked([&] { mesh_.move_all(x.span(), Box<d>(vectors)); });
+        }
+    }
+    py::array points() const {
+        return give_rows(locked([&] { return std::vector(mesh_.points().begin(), mesh_.points().end()); }));
+    }
+    py::array box() const {
+        const auto vectors = locked([&] { return mesh_.box().vectors(); });
+        return give_rows(std::vector(vectors.begin(), vectors.end()));
+    }
+    py::tuple cells() const {
+        Periodic_cells<d> c = locked([&] { return mesh_.cells(); });
+        py::array offsets = bytes_of<d>(c.offsets), translations = bytes_of<d>(c.translations);
+        return py::make_tuple(give_rows(std::move(c.vertices)), std::move(offsets), give_rows(std::move(c.neighbours)),
+                              std::move(translations));
+    }
+    py::tuple neighbours() const {
+        Periodic_neighbours<d> n = locked([&] { return mesh_.neighbours(); });
+        return py::make_tuple(give(std::move(n.first)), give(std::move(n.second)), give(std::move(n.distance)),
+                              give_rows(std::move(n.vector)), give_rows(std::move(n.shift)), give(std::move(n.area)));
+    }
+    py::array neighbour_counts(double least, bool strict) const {
+        return give(locked([&] { return mesh_.neighbour_counts(least, strict); }));
+    }
+    py::array voronoi_volumes() const {
+        return give(locked([&] { return mesh_.voronoi_volumes(); }));
+    }
+    py::tuple audit() const {
+        return audit_tuple(locked([&] { return mesh_.audit(); }));
+    }
+    std::size_t vertices() const {
+        return locked([&] { return mesh_.number_of_vertices(); });
+    }
+    std::size_t simplices() const {
+        return locked([&] { return mesh_.number_of_cells(); });
+    }
+
+  private:
+    static Periodic_mesh<d> built(const Points_in<d>& points, const typename Box<d>::Vectors& vectors, int threads) {
+        const Without_gil without_gil;
+        return Periodic_mesh<d>(points.span(), Box<d>(vectors), {.threads = threads});
+    }
+    template <class Call>
+    auto locked(Call call) const {
+        const Without_gil without_gil;
+        const std::lock_guard hold(lock_);
+        return call();
+    }
+
+    mutable Process_mutex lock_;
+    Periodic_mesh<d> mesh_;
+};
+
+template <int d>
+void add_periodic_mesh(py::module_& m, const char* name) {
+    using P = Periodic<d>;
+    py::class_<P>(m, name, not_by_new())
+        .def_static("build", [](const py::object& points, const py::object& box,
+                                int threads) { return std::make_unique<P>(points, box, threads); })
+        .def("move", &P::move)
+        .def("cells", &P::cells)
+        .def("neighbours", &P::neighbours)
+        .def("neighbour_counts", &P::neighbour_counts)
+        .def("voronoi_volumes", &P::voronoi_volumes)
+        .def("audit", &P::audit)
+        .def_property_readonly("points", &P::points)
+        .def_property_readonly("box", &P::box)
+        .def_property_readonly("vertices", &P::vertices)
+        .def_property_readonly("simplices", &P::simplices);
+}
+
+}  // namespace
+
+void add_periodic_meshes(py::module_& m) {
+    add_periodic_mesh<2>(m, "Periodic2");
+    add_periodic_mesh<3>(m, "Periodic3");
+}
+
+}  // namespace annulus::python

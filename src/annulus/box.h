@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace annulus::inline v1 {
+
+/// How many times each vector of a box is added to a position: it names one image of a point.
+template <int d>
+using Shift = std::array<std::int32_t, static_cast<std::size_t>(d)>;
+
+/// A periodic box: d vectors, and with every point its translates by all integer combinations of them. The vectors may
+/// be orthogonal or not (triclinic), in any orientation, left-handed too. Lengths are in the caller's unit.
+///
+/// Every direction is periodic. A triangulation that is periodic in some directions only has a hull, and is not
+/// available.
+template <int d>
+class Box {
+  public:
+    using Vectors = std::array<Coordinates<d>, static_cast<std::size_t>(d)>;
+
+    /// A box with these vectors. Throws Error: not_finite and out_of_domain for coordinates (no vector may extend
+    /// beyond 2^150 along an axis, nor the box less than 2^-150); usage where the vectors span no volume, or after
+    /// rounding to their grid none (docs/periodic.md); where the box is too skewed, that is a coordinate of a vector is
+    /// more than eight times the extent of a reduced box of the same lattice along that axis; and where it is so thin
+    /// across the axes, a millionth of a millionth, that doubles have no coordinates in it. O(1), some microseconds.
+    explicit Box(const Vectors& vectors);
+    /// A box with edges of these lengths along the axes. Throws as the constructor does. A negative length is that of
+    /// an edge in the other direction.
+    [[nodiscard]] static Box orthorhombic(const Coordinates<d>& lengths) {
+        Vectors vectors{};
+        for (std::size_t i = 0; i < d; ++i) vectors[i][i] = lengths[i];
+        return Box(vectors);
+    }
+
+    [[nodiscard]] const Vectors& vectors() const noexcept { return vectors_; }
+    /// The area or volume: the determinant's absolute value, computed in doubles.
+    [[nodiscard]] double volume() const noexcept;
+
+    friend bool operator==(const Box&, const Box&) = default;
+
+  private:
+    Vectors vectors_;
+};
+
+extern template class Box<2>;
+extern template class Box<3>;
+
+}  // namespace annulus::inline v1

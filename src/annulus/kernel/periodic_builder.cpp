@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/kernel/periodic_builder.h>
+
+#include <annulus/arithmetic/duplicate_point.h>
+#include <annulus/arithmetic/limits.h>
+#include <annulus/kernel/periodic_proof.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+constexpr double first_collar[] = {0, 0, 3.0, 2.8};  // by dimension, in mean spacings
+constexpr double wider = 1.4;
+constexpr std::int32_t largest_offset = 5;  // a reach of 2.5, and places from -1/2 to 3/2
+
+/// The mean distance of neighbours, roughly. In a box that is thinner than that, points are spread over its other
+/// directions only.
+template <int d>
+double mean_spacing(double volume, Coordinates<d> heights, std::size_t points) {
+    std::sort(heights.begin(), heights.end());
+    const auto spacing = [&](std::size_t thin) {
+        return std::pow(volume / static_cast<double>(points), 1.0 / static_cast<double>(d - thin));
+    };
+    std::size_t thin = 0;
+    while (thin + 1 < d && heights[thin] < spacing(thin)) volume /= heights[thin++];
+    return spacing(thin);
+}
+
+/// A facet up to a translation, and where it is.
+template <int d>
+struct Open_facet {
+    Facet_images<d> images;
+    Corner_index corner;
+};
+
+/// The facet opposite to corner i, its first image at offset 0.
+template <int d>
+Open_facet<d> open_facet(const Periodic_table<d>& table, std::size_t c, std::size_t i) {
+    Open_facet<d> h{facet_images<d>(table.images(c), i), table.corner(c, i)};
+    const Offset<d> first = h.images[0].label;
+    for (Image<d>& s : h.images) s.label = s.label - first;
+    return h;
+}
+
+/// Moves a cell so that the least of its offsets is 0 in each direction. False where another one is then so large that
+/// the places of a bi-cell need not be exact (Lattice): no edge is so long, so the cell is wrong.
+template <int d>
+bool normalise(std::array<Offset<d>, static_cast<std::size_t>(d + 1)>& offset) {
+    Shift<d> least = offset[0].unpacked();
+    for (const Offset<d> o : offset) {
+        const Shift<d> s = o.unpacked();
+        for (std::size_t i = 0; i < d; ++i) least[i] = std::min(least[i], s[i]);
+    }
+    bool small = true;
+    for (Offset<d>& o : offset) {
+        o = o - Offset<d>(least);
+        for (const std::int32_t s : o.unpacked()) small = small && s <= largest_offset;
+    }
+    return small;
+}
+
+}  // namespace
+
+template <int d>
+void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, int threads,
+                                Periodic_table<d>& table) {
+    table.clear();
+    copy_.clear();
+    attempts_ = 0;
+    if (place.empty()) return;
+    const Coordinates<d> heights = lattice.heights();
+    const double spacing = mean_spacing<d>(lattice.volume(), heights, place.size());
+    double limit = 1;  // in reaches; in a box as thin as its grid these are not accurate
+    for (double width = first_collar[d] * spacing;; width *= wider) {
+        ++attempts_;
+        Coordinates<d> collar;
+        bool widest = true;
+        for (std::size_t i = 0; i < d; ++i) {
+            collar[i] = std::min(width / heights[i], limit * lattice.reach()[i]);
+            widest = widest && collar[i] == limit * lattice.reach()[i];
+        }
+        copy_into(lattice, place, collar);
+        if (triangulate_copies(threads) && keep_one_of_each(table) && is_proved_delaunay(table, lattice, place)) return;
+        if (widest && limit > 1) throw std::logic_error("a periodic triangulation was not proved: please report this");
+        if (widest) limit = 1.25;
+    }
+}
+
+/// All images with coordinates in the basis from -collar to 1 + collar.
+template <int d>
+void Periodic_builder<d>::copy_into(const Lattice<d>& lattice, std::span<const Coordinates<d>> place,
+                                    const Coordinates<d>& collar) {
+    copy_.clear();
+    image_.clear();
+    for (std::size_t v = 0; v < place.size(); ++v) {
+        const Coordinates<d> f = lattice.in_basis(place[v]);
+        Shift<d> low, high;
+        for (std::size_t i = 0; i < d; ++i) {
+            low[i] = static_cast<std::int32_t>(std::ceil(-collar[i] - f[i]));
+            high[i] = static_cast<std::int32_t>(std::floor(1 + collar[i] - f[i]));
+        }
+        for (Shift<d> o = low;;) {
+            const Offset<d> offset(o);
+            copy_.push_back(lattice.place(place[v], offset));
+            image_.emplace_back(static_cast<Index>(v), offset);
+            std::size_t i = 0;
+            while (i < d && ++o[i] > high[i]) {
+                o[i] = low[i];
+                ++i;
+            }
+            if (i == d) break;
+        }
+    }
+    if (copy_.size() > Limits::vertices)
+        throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " copies of points");
+}
+
+/// False where the copies are in a hyperplane.
+template <int d>
+bool Periodic_builder<d>::triangulate_copies(int threads) {
+    numbers_.resize(copy_.size());
+    std::iota(numbers_.begin(), numbers_.end(), Index{0});
+    try {
+        if (!builder_.build(copy_, numbers_, threads)) return false;
+    } catch (const Error& e) {
+        if (e.code() != Error_code::duplicate_point || e.vertices().size() != 2) throw;
+        const auto vertex = [&](std::size_t k) { return image_[static_cast<std::size_t>(e.vertices()[k])].vertex; };
+        throw duplicate_point_error("points", "have, up to vectors of the box,", vertex(0), vertex(1));
+    }
+    builder_.copy_to(cells_, copy_.size(), threads);
+    return true;
+}
+
+template <int d>
+bool Periodic_builder<d>::keep_one_of_each(Periodic_table<d>& table) {
+    table.clear();
+    kept_.assign(cells_.cell_bound().offset(), -1);
+    for (const Cell_index c : cells_.finite_cells()) {
+        Cell_images<d> cell;
+        for (std::size_t i = 0; i <= d; ++i)
+            cell[i] = image_[static_cast<std::size_t>(cells_.vertex(cells_.corner(c, static_cast<int>(i))))];
+        if (!std::min_element(cell.begin(), cell.end())->label.is_zero()) continue;
+        kept_[c.offset()] = static_cast<Index>(table.size());
+        auto& vertex = table.vertex.emplace_back();
+        auto& offset = table.offset.emplace_back();
+        auto& twin = table.twin.emplace_back();
+        for (std::size_t i = 0; i <= d; ++i) {
+            vertex[i] = cell[i].vertex;
+            offset[i] = cell[i].label;
+            twin[i] = cells_.twin(cells_.corner(c, static_cast<int>(i)));  // a cell of the copies
+        }
+    }
+    return match_facets(table);
+}
+
+template <int d>
+bool Periodic_builder<d>::match_facets(Periodic_table<d>& table) {
+    std::vector<Open_facet<d>> open;
+    for (std::size_t c = 0; c < table.size(); ++c)
+        for (std::size_t i = 0; i <= d; ++i) {
+            const Corner_index t = table.twin[c][i];
+            const Index m = kept_[table.cell_of(t)];
+            table.twin[c][i] = m < 0 ? no_corner : table.corner(static_cast<std::size_t>(m), table.slot_of(t));
+            if (m < 0) open.push_back(open_facet(table, c, i));
+        }
+    std::sort(open.begin(), open.end(), [](const Open_facet<d>& l, const Open_facet<d>& r) {
+        return l.images != r.images ? l.images < r.images : l.corner < r.corner;
+    });
+    if (open.size() % 2 != 0) return false;
+    const auto twin = [&](Corner_index h) -> Corner_index& { return table.twin[table.cell_of(h)][table.slot_of(h)]; };
+    for (std::size_t k = 0; k < open.size(); k += 2) {
+        if (open[k].images != open[k + 1].images) return false;
+        twin(open[k].corner) = open[k + 1].corner;
+        twin(open[k + 1].corner) = open[k].corner;
+    }
+    return std::all_of(table.offset.begin(), table.offset.end(), [](auto& offset) { return normalise<d>(offset); });
+}
+
+template class Periodic_builder<2>;
+template class Periodic_builder<3>;
+
+}  // namespace annulus::inline v1

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/kernel/periodic_proof.h>
+
+#include <annulus/arithmetic/exact.h>
+#include <annulus/predicate/bounds.h>
+#include <annulus/predicate/circumcircle_2.h>
+#include <annulus/predicate/circumsphere_3.h>
+#include <annulus/predicate/exact_sign.h>
+#include <annulus/predicate/perturbed_sign.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+template <int d>
+class Periodic_proof {
+  public:
+    Periodic_proof(Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place)
+        : table_(table), lattice_(lattice), place_(place) {}
+
+    [[nodiscard]] bool operator()() {
+        if (!is_glued() || !has_every_vertex()) return false;
+        table_.cospherical.assign(table_.size(), {});
+        for (std::size_t c = 0; c < table_.size(); ++c)
+            if (!is_right(c)) return false;
+        return covers_once();
+    }
+
+  private:
+    using Table = Periodic_table<d>;
+    using Places = std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)>;
+    using Sphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
+
+    [[nodiscard]] Coordinates<d> at(Image<d> s) const {
+        return lattice_.place(place_[static_cast<std::size_t>(s.vertex)], s.label);
+    }
+    [[nodiscard]] Places places(std::size_t c) const {
+        Places x;
+        for (std::size_t i = 0; i <= d; ++i) x[i] = at(table_.image(c, i));
+        return x;
+    }
+
+    /// No cell is its own neighbour (in a positive one no facet is a translate of another).
+    [[nodiscard]] bool is_glued() const {
+        for (std::size_t c = 0; c < table_.size(); ++c)
+            for (std::size_t i = 0; i <= d; ++i) {
+                const Corner_index t = table_.twin[c][i];
+                if (t == no_corner) return false;
+                const std::size_t m = Table::cell_of(t), j = Table::slot_of(t);
+                if (m == c || table_.twin[m][j] != Table::corner(c, i)) return false;
+                if (m > c && !is_glued(c, i, m, j)) return false;
+            }
+        return true;
+    }
+    /// Whether the facets opposite to these corners have the same images, in opposite orders: with the opposite corners
+    /// paired, too, the corners of one cell are an odd permutation of those of the other.
+    [[nodiscard]] bool is_glued(std::size_t c, std::size_t i, std::size_t m, std::size_t j) const {
+        const Offset<d> shift = table_.translation(c, i);
+        std::array<std::size_t, static_cast<std::size_t>(d + 1)> partner;
+        unsigned taken = 1U << j;
+        for (std::size_t k = 0; k <= d; ++k) {
+            partner[k] = j;
+            if (k == i) continue;
+            const Offset<d> wanted = table_.offset[c][k] - shift;
+            std::size_t l = 0;
+            while (l <= d && (table_.vertex[m][l] != table_.vertex[c][k] || table_.offset[m][l] != wanted || l == j))
+                ++l;
+            if (l > d || (taken >> l & 1U) != 0) return false;
+            taken |= 1U << l;
+            partner[k] = l;
+        }
+        bool odd = false;
+        for (std::size_t k = 0; k <= d; ++k)
+            for (std::size_t l = 0; l < k; ++l) odd ^= partner[k] < partner[l];
+        return odd;
+    }
+    [[nodiscard]] bool has_every_vertex() const {
+        std::vector<char> used(place_.size(), 0);
+        for (const auto& cell : table_.vertex)
+            for (const Index v : cell) used[static_cast<std::size_t>(v)] = 1;
+        return std::find(used.begin(), used.end(), 0) == used.end();
+    }
+
+    [[nodiscard]] static bool is_positive(const Places& x) {
+        Tuple<d, d + 1> corners;
+        for (std::size_t i = 0; i <= d; ++i) corners[i] = &x[i];
+        return exact_orientation_sign(corners).sign > 0;
+    }
+    [[nodiscard]] static Sphere sphere_of(const Places& x) {
+        return std::apply([](const auto&... p) { return Sphere(p...); }, x);
+    }
+
+    /// Whether c is positive and its sphere holds no opposite vertex of a cell with a larger number. Adds its volume.
+    [[nodiscard]] bool is_right(std::size_t c) {
+        const Places x = places(c);
+        const Sphere sphere = sphere_of(x);
+        const bool clear = sphere.positive();
+        if (!clear && !is_positive(x)) return false;
+        add_volume(x);
+        for (std::size_t i = 0; i <= d; ++i) {
+            const Corner_index t = table_.twin[c][i];
+            const std::size_t m = Table::cell_of(t), j = Table::slot_of(t);
+            if (m < c) continue;
+            const Coordinates<d> q = at(table_.image(m, j, table_.translation(c, i)));
+            if (clear && sphere.excludes(q)) continue;
+            if (!is_positive(places(m))) return false;  // what the exact signs require
+            Tuple<d, d + 2> bicell{};
+            for (std::size_t k = 0; k < d; ++k) bicell[k] = &x[k];
+            bicell[d] = &q;
+            bicell[d + 1] = &x[d];
+            int sign = exact_empty_sphere_sign(bicell).sign;
+            if (sign == 0) {
+                table_.cospherical[c][i] = table_.cospherical[m][j] = 1;
+                sign = perturbed_sign(bicell);
+            }
+            if (sign < 0) return false;
+        }
+        return true;
+    }
+
+    /// A determinant whose largest difference this is is off by this much.
+    [[nodiscard]] static double error_of(double magnitude) {
+        constexpr double constant = (d == 2 ? bounds::orientation_2 : bounds::orientation_3) + 8;
+        double power = magnitude * magnitude;
+        if (d == 3) power *= magnitude;
+        return constant * bounds::u * power;
+    }
+    void add_volume(const Places& x) {
+        typename Box<d>::Vectors edge;
+        double magnitude = 0;
+        for (std::size_t k = 0; k < d; ++k)
+            for (std::size_t i = 0; i < d; ++i) {
+                edge[k][i] = x[k + 1][i] - x[0][i];
+                magnitude = std::max(magnitude, std::fabs(edge[k][i]));
+            }
+        sum_ += determinant_of_rows(edge);
+        error_ += error_of(magnitude) + 2 * bounds::u * sum_;  // of positive numbers, up to such errors
+    }
+
+    /// The volumes add up to N times the lattice's, with N an integer whatever the places are (docs/theory.md 8.3), so
+    /// a sum in doubles with an error below an eighth decides whether N is 1.
+    [[nodiscard]] bool covers_once() const {
+        if (place_.empty()) return true;
+        constexpr double parts = d == 2 ? 2 : 6;
+        double largest = 0;
+        for (const auto& v : lattice_.basis())
+            for (const double x : v) largest = std::max(largest, std::fabs(x));
+        const double whole = parts * lattice_.volume();
+        if (error_ + parts * error_of(largest) < whole / 8) return std::fabs(sum_ - whole) < whole / 4;
+        return covers_once_exactly();
+    }
+    [[nodiscard]] bool covers_once_exactly() const {
+        const auto whole_number = [this](double x, std::size_t i) { return mpz_class(x / lattice_.grid()[i]); };
+        using Rows = std::array<std::array<mpz_class, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)>;
+        mpz_class sum = 0;
+        Rows rows;
+        for (std::size_t c = 0; c < table_.size(); ++c) {
+            const Places x = places(c);
+            for (std::size_t k = 0; k < d; ++k)
+                for (std::size_t i = 0; i < d; ++i)
+                    rows[k][i] = whole_number(x[k + 1][i], i) - whole_number(x[0][i], i);
+            sum += determinant_of_rows(rows);
+        }
+        for (std::size_t k = 0; k < d; ++k)
+            for (std::size_t i = 0; i < d; ++i) rows[k][i] = whole_number(lattice_.basis()[k][i], i);
+        return sum == (d == 2 ? 2 : 6) * determinant_of_rows(rows);
+    }
+
+    Periodic_table<d>& table_;
+    const Lattice<d>& lattice_;
+    std::span<const Coordinates<d>> place_;
+    double sum_ = 0, error_ = 0;  // of d! times the volumes of the cells so far
+};
+
+}  // namespace
+
+template <int d>
+bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place) {
+    return Periodic_proof<d>(table, lattice, place)();
+}
+
+template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>);
+template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>);
+
+}  // namespace annulus::inline v1
