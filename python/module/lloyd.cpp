@@ -36,12 +36,12 @@ std::optional<Domain_2> domain_of(const py::object& domain, double radius) {
 
 std::vector<Coordinates<2>> points_in(const std::optional<Domain_2>& domain, std::span<const Coordinates<2>> points) {
     require_in_domain(points, "point");
-    std::vector<std::int64_t> outside;
+    std::vector<std::int64_t> strays;
     for (std::size_t i = 0; domain && i < points.size(); ++i)
-        if (!domain->contains(points[i])) outside.push_back(static_cast<std::int64_t>(i));
-    if (!outside.empty())
-        throw Error(Error_code::out_of_domain, "point " + std::to_string(outside.front()) + " is outside of the domain",
-                    outside);
+        if (!domain->contains(points[i])) strays.push_back(static_cast<std::int64_t>(i));
+    if (!strays.empty())
+        throw Error(Error_code::out_of_domain, "point " + std::to_string(strays.front()) + " is outside of the domain",
+                    strays);
     return {points.begin(), points.end()};
 }
 

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -129,9 +131,12 @@ bool Periodic_builder<d>::triangulate_copies(int threads) {
     try {
         if (!builder_.build(copy_, numbers_, threads)) return false;
     } catch (const Error& e) {
-        if (e.code() != Error_code::duplicate_point || e.vertices().size() != 2) throw;
-        const auto vertex = [&](std::size_t k) { return image_[static_cast<std::size_t>(e.vertices()[k])].vertex; };
-        throw duplicate_point_error("points", "have, up to vectors of the box,", vertex(0), vertex(1));
+        if (e.code() != Error_code::duplicate_point || e.vertices().empty()) throw;
+        const Coordinates<d>& place = copy_[static_cast<std::size_t>(e.vertices().front())];
+        std::vector<std::int64_t> vertices;
+        for (std::size_t k = 0; k < copy_.size(); ++k)
+            if (copy_[k] == place) vertices.push_back(image_[k].vertex);
+        throw duplicate_point_error("points", "have, up to vectors of the box,", std::move(vertices));
     }
     builder_.copy_to(cells_, copy_.size(), threads);
     return true;
