@@ -53,11 +53,13 @@ class Periodic_mesh {
     /// The box with its vectors rounded to the grid.
     [[nodiscard]] const Box<d>& box() const;
     /// The images of the points that the caller gave, rounded to the grid; the nearest doubles to these where a point
-    /// is more than eight boxes away from the origin.
+    /// is more than eight boxes away from the origin. Valid until the next call of move_all, as all spans here.
     [[nodiscard]] std::span<const Point> points() const;
-    /// The representatives of the points near the origin's box: exact, wherever the points are.
+    /// The representatives of the points near the origin's box: exact, wherever the points are. Valid as long as
+    /// points().
     [[nodiscard]] std::span<const Point> places() const;
     /// Which image each point is of its representative: points()[i] is at places()[i] + images()[i] . box().
+    /// Valid as long as points().
     [[nodiscard]] std::span<const Shift<d>> images() const;
     /// The spacing of the grid on each axis.
     [[nodiscard]] Point grid() const;

@@ -61,7 +61,7 @@ std::vector<Circumcentre<d>> Voronoi_input<d>::circumcentres(double scale) const
     for (std::size_t c = 0; c < centre.size(); ++c) {
         Corners<d> corners;
         for (std::size_t i = 0; i <= d; ++i) corners[i] = points[at(cells.vertices[c][i])];
-        centre[c] = circumcentre<d>(corners, scale);
+        centre[c] = circumcentre_of<d>(cells.vertices[c], corners, scale);
     }
     return centre;
 }
