@@ -104,22 +104,44 @@ class Voronoi:
         pairs = np.unique(np.column_stack([cell, np.repeat(index, 2)]), axis=0)
         if self.points.shape[1] == 2:
             pairs = self._in_order(pairs)
+        if not len(self.points):
+            return []
         split = np.searchsorted(pairs[:, 0], np.arange(1, len(self.points)))
         return [list(region) for region in np.split(pairs[:, 1], split)]
 
     def _in_order(self, pairs: NDArray[np.int32]) -> NDArray[np.int32]:
-        """Sorted by cell, -1 first, then by angle around the point; of unbounded cells from the widest gap on."""
+        """Sorted by cell, -1 first, then by angle around the point; of unbounded cells from the vertex on at which the
+        ray towards the next hull vertex begins."""
         to = self.vertices[pairs[:, 1]] - self.points[pairs[:, 0]] if len(self.vertices) else np.empty((len(pairs), 2))
         angle = np.where(pairs[:, 1] < 0, -np.inf, np.arctan2(to[:, 1], to[:, 0]))
         order = np.lexsort((angle, pairs[:, 0]))
         pairs, angle = pairs[order], angle[order]
+        first = self._first_of_unbounded()
         for k in np.flatnonzero(pairs[:, 1] < 0):
             end = np.searchsorted(pairs[:, 0], pairs[k, 0], side="right")
             if end - k > 2:
-                mine = angle[k + 1:end]
-                gap = np.append(np.diff(mine), mine[0] + 2 * np.pi - mine[-1])
-                pairs[k + 1:end] = np.roll(pairs[k + 1:end], -(np.argmax(gap) + 1), axis=0)
+                begin = int(np.flatnonzero(pairs[k + 1:end, 1] == first[int(pairs[k, 0])])[0])
+                pairs[k + 1:end] = np.roll(pairs[k + 1:end], -begin, axis=0)
         return pairs
+
+    def _first_of_unbounded(self) -> dict[int, int]:
+        """In 2D: of each cell with two unbounded ridges the vertex of that towards the next point, counter-clockwise,
+        of the hull."""
+        rays: dict[int, list[tuple[int, int]]] = {}
+        others: dict[int, int] = {}
+        for (i, j), ends in self.ridge_dict.items():
+            for cell, neighbour in ((i, j), (j, i)):
+                if -1 in ends:
+                    rays.setdefault(cell, []).append((neighbour, max(ends)))
+                else:
+                    others[cell] = neighbour
+        out = {}
+        for cell, (one, other) in ((c, r) for c, r in rays.items() if len(r) == 2 and c in others):
+            # The hull turns left at the cell's point, or does not turn, and has every other point on its left.
+            rows = self.points[[[one[0], cell, other[0]], [one[0], other[0], others[cell]]]]
+            turn, side = _core.orient_2d(rows)["sign"].tolist()
+            out[cell] = (other if (turn or side) > 0 else one)[1]
+        return out
 
     def __repr__(self) -> str:
         return f"<Voronoi: {len(self.points)} points, {len(self.ridge_points)} ridges in {self.points.shape[1]}D>"
@@ -147,23 +169,30 @@ def clip_of(clip: ArrayLike | None, ndim: int) -> tuple[Floats | None, Floats | 
     if rows.ndim == 2 and rows.shape[1] == ndim + 1:
         return None, rows
     if rows.ndim == 2 and ndim == 2 and rows.shape[1] == 2 and len(rows) > 2:
-        return None, _polygon(rows)
+        return _polygon(rows)
     raise Error("clip must be a box, shape (2, d), half-spaces, shape (m, d + 1), or in 2D a convex polygon, shape "
                 f"(m, 2); not {_arguments.described(rows)}", "wrong_size")
 
 
-def _polygon(corners: Floats) -> Floats:
-    """The half-planes of a convex polygon."""
+def _polygon(corners: Floats) -> tuple[Floats, Floats]:
+    """The box and the half-planes of a convex polygon; corners may lie on edges, up to rounding."""
     if not np.isfinite(corners).all():
         raise Error("clip has a corner that is not finite", "not_finite")
-    edges = np.roll(corners, -1, axis=0) - corners
-    turns = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
-    if np.any(turns < 0) and np.any(turns > 0) or not np.any(turns):
+    corners = corners[np.any(np.roll(corners, -1, axis=0) != corners, axis=1)]
+    box = np.array([corners.min(axis=0), corners.max(axis=0)]) if len(corners) > 2 else np.zeros((2, 2))
+    unit = np.max(box[1] / 2 - box[0] / 2)
+    if not unit > 0:
         raise Error("clip must be a convex polygon", "bad_input")
-    normals = np.column_stack([edges[:, 1], -edges[:, 0]]) * (1 if turns.sum() > 0 else -1)
-    proper = np.any(edges != 0, axis=1)
-    rows: Floats = np.column_stack([normals, -np.sum(normals * corners, axis=1)])[proper]
-    return rows
+    edges = (np.roll(corners, -1, axis=0) / 2 - corners / 2) / unit
+    edges /= np.hypot(edges[:, 0], edges[:, 1])[:, None]
+    after = np.roll(edges, -1, axis=0)
+    turns = np.arctan2(edges[:, 0] * after[:, 1] - edges[:, 1] * after[:, 0], np.sum(edges * after, axis=1))
+    sign = np.sign(turns.sum())
+    # Once around, never back; a spike turns by pi.
+    if np.any(sign * turns < -1e-9) or np.any(np.abs(turns) > np.pi - 1e-9) or abs(abs(turns.sum()) - 2 * np.pi) > 1e-6:
+        raise Error("clip must be a convex polygon", "bad_input")
+    normals = np.column_stack([edges[:, 1], -edges[:, 0]]) * sign
+    return box, np.column_stack([normals, -np.sum(normals * corners, axis=1)])
 
 
 def t1(report: _core.MoveResult) -> Indices:

@@ -336,7 +336,7 @@ def test_few_points():
         for n in (0, 1, 2):
             dt = annulus.MovingDelaunay(np.arange(n * d, dtype=float).reshape(n, d))
             v = dt.voronoi()
-            assert len(v.ridge_points) == max(0, n - 1) and len(v.regions) == max(1, n) and np.isinf(v.volumes).all()
+            assert len(v.ridge_points) == max(0, n - 1) and len(v.regions) == n and np.isinf(v.volumes).all()
             assert np.all(dt.voronoi_vjp(np.ones(n)) == 0) and len(dt.voronoi_jacobian()[1]) == 0
             if n > 0:
                 assert dt.voronoi_volumes(clip=[[0] * d, [1] * d]).sum() == pytest.approx(1)
@@ -354,3 +354,32 @@ def test_what_is_refused():
     for call in (lambda: dt.neighbor_list(3), lambda: dt.neighbor_counts(strict=2), lambda: dt.voronoi_vjp(["a"] * 20)):
         with pytest.raises(TypeError):
             call()
+
+
+def test_regions_of_flat_hull_triangles():
+    """The widest angle around a point is not always towards infinity."""
+    x = [[-2, 0], [0, 0], [2, 0], [-1, 0.01], [1, 0.01], [0, 60.0]]
+    assert annulus.MovingDelaunay(x).voronoi().regions[1] == [-1, 1, 4, 3, 0]
+
+
+@pytest.mark.parametrize("scale, offset", [(1e-5, 5e6), (1e-6, 1e6), (1e-2, 4e8), (1, 1e10), (1e150, 0), (1e-150, 0)])
+def test_polygons_far_away_and_in_any_unit(scale, offset):
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    x = np.random.default_rng(0).random((50, 2)) * scale + offset
+    dt = annulus.MovingDelaunay(x, merge_duplicates=True)
+    area = np.nansum(dt.voronoi_volumes(clip=square * scale + offset)) / scale / scale
+    assert abs(area - 1) < 2e-16 * (1 + offset / scale) * 20 + 1e-12
+
+
+def test_polygons_have_to_be_convex():
+    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)))
+    star = [(0.5 + 0.4 * np.cos(4 * np.pi * k / 5), 0.5 + 0.4 * np.sin(4 * np.pi * k / 5)) for k in range(5)]
+    for wrong in ([[0, 0], [1, 0], [1, 0.5], [0.5, 0.5], [0.5, 0.5], [0.5, 1], [0, 1]], star, [[0, 0], [1, 0], [0, 0]],
+                  [[0, 0], [1, 0], [0.5, 0]], [[0, 0]] * 4):
+        with pytest.raises(annulus.Error, match="convex polygon"):
+            dt.voronoi_volumes(clip=wrong)
+    corner = np.array([[0.1, 0.2], [0.9, 0.3], [0.4, 0.93]])
+    on_edges = np.concatenate([corner[i] + (corner[(i + 1) % 3] - corner[i]) * k / 10 for i in range(3)
+                               for k in range(10)]).reshape(-1, 2)
+    for clip in (on_edges, on_edges[::-1]):
+        assert abs(np.nansum(dt.voronoi_volumes(clip=clip)) - 0.277) < 1e-12

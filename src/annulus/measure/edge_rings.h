@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/error.h>
 #include <annulus/mesh_cells.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,8 @@ struct Edge_ring {
     bool open;  ///< the edge is in the hull: the facet before the first cell and that after the last one are
 };
 
-/// Visits every edge of a triangulation once: of points that span d dimensions, with valid neighbours. O(n).
+/// Visits every edge of a triangulation once: of points that span d dimensions. O(n). Throws bad_input where neighbours
+/// have no facet in common, or the cells around an edge do not form one ring.
 template <int d>
 class Edge_rings {
   public:
@@ -72,21 +75,29 @@ class Edge_rings {
         const auto& w = cells_.vertices[at(out.cell)];
         const Index kept = v[forward ? s.l : s.k];
         std::size_t of_kept = 0;
+        unsigned found = 0;
         for (std::size_t n = 0; n < 4; ++n) {
-            if (w[n] == v[s.a]) out.a = n;
-            else if (w[n] == v[s.b]) out.b = n;
-            else if (w[n] == kept) of_kept = n;
+            if (w[n] == v[s.a]) out.a = n, found |= 1;
+            else if (w[n] == v[s.b]) out.b = n, found |= 2;
+            else if (w[n] == kept) of_kept = n, found |= 4;
         }
+        if (found != 7) refuse(s.cell);
         const std::size_t other = 6 - out.a - out.b - of_kept;
         out.k = forward ? of_kept : other;
         out.l = forward ? other : of_kept;
         return out;
     }
 
+    [[noreturn]] static void refuse(Index c) {
+        throw Error(Error_code::bad_input, "neighbours of cell " + std::to_string(c) + " do not go round an edge");
+    }
+    /// Of an edge that has been visited already there is another ring.
     void mark(const Step& s) {
         const std::size_t low = std::min(s.a, s.b);
         const std::size_t high = std::max(s.a, s.b);
-        done_[at(s.cell)] |= static_cast<unsigned char>(1U << (low == 0 ? high - 1 : low + high));
+        const auto bit = static_cast<unsigned char>(1U << (low == 0 ? high - 1 : low + high));
+        if ((done_[at(s.cell)] & bit) != 0) refuse(s.cell);
+        done_[at(s.cell)] |= bit;
     }
 
     Edge_ring ring_of(Index c, std::size_t e) {
