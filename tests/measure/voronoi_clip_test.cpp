@@ -57,14 +57,6 @@ void check_clipped(const Points_d<d>& x, const Voronoi_clip<d>& clip, double len
     }
 }
 
-template <int d>
-Points_d<d> uniform(std::size_t n, Random& random) {
-    Points_d<d> x(n);
-    for (auto& p : x)
-        for (double& c : p) c = between(random, 0, 1);
-    return x;
-}
-
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("A box makes all cells finite, and they fill it, dimension", "[measure][voronoi]", ((int d), d),

@@ -57,14 +57,23 @@ class Edge_rings {
     void visit_edges(Index c, Visit& visit) const {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index n = cells_.neighbours[at(c)][k];
-            if (n != cells_.outside && n < c) continue;
             const Index p = cells_.vertices[at(c)][(k + 1) % 3];
             const Index q = cells_.vertices[at(c)][(k + 2) % 3];
+            if (n != cells_.outside && !shares(n, p, q, c)) refuse(c);
+            if (n != cells_.outside && n < c) continue;
             const bool open = n == cells_.outside;
             const std::array<Index, 2> both{c, n};
             const char crossing = static_cast<char>(k);
             visit(Edge_ring{std::min(p, q), std::max(p, q), std::span(both).first(open ? 1 : 2), {&crossing, 1}, open});
         }
+    }
+
+    /// Whether the edge from q to p of cell n has cell c beyond it.
+    [[nodiscard]] bool shares(Index n, Index p, Index q, Index c) const {
+        const auto& v = cells_.vertices[at(n)];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (v[(k + 1) % 3] == q && v[(k + 2) % 3] == p) return cells_.neighbours[at(n)][k] == c;
+        return false;
     }
 
     /// The cell beyond the facet opposite to corner `across`, where this is s.k (forward) or s.l; its other corner.
@@ -83,6 +92,7 @@ class Edge_rings {
         }
         if (found != 7) refuse(s.cell);
         const std::size_t other = 6 - out.a - out.b - of_kept;
+        if (cells_.neighbours[at(out.cell)][other] != s.cell) refuse(s.cell);
         out.k = forward ? of_kept : other;
         out.l = forward ? other : of_kept;
         return out;
@@ -117,6 +127,7 @@ class Edge_rings {
             t = next(t, true);
             open = t.cell == cells_.outside;
         } while (!open && t.cell != c);
+        if (!open && (t.k != s.k || t.l != s.l)) refuse(c);
         if (open) {
             const auto seen = static_cast<std::ptrdiff_t>(ring_.size());
             for (t = next(s, false); t.cell != cells_.outside; t = next(t, false)) note(t);
