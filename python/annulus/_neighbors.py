@@ -46,7 +46,7 @@ class VoronoiQueries(Queries):
         five) cospherical corners are decided exactly, and take some microseconds each.
         """
         box, half_spaces = clip_of(clip, self.ndim)
-        return Voronoi(self.points, _core.voronoi(self._mesh, box, half_spaces))
+        return Voronoi(_core.voronoi(self._mesh, box, half_spaces))
 
     def voronoi_volumes(self, clip: ArrayLike | None = None) -> Floats:
         """The areas (2D) or volumes (3D) of the Voronoi cells, in the unit of the points to the power of d.
@@ -147,6 +147,10 @@ class VoronoiQueries(Queries):
         ------
         Error
             With the code ``usage`` for other letters.
+
+        Notes
+        -----
+        Where all points are on a line, or in 3D in a plane, every facet is unbounded, exactly empty ones included.
         """
         if not isinstance(quantities, str):
             raise TypeError(f"quantities must be a str, not {_arguments.described(quantities)}")
@@ -185,6 +189,11 @@ class VoronoiQueries(Queries):
         -------
         ndarray of int32, shape (npoints,)
             0 at free indices.
+
+        Notes
+        -----
+        Where all points are on a line, or in 3D in a plane, no facet is found to be exactly empty: of a square lattice
+        in 3D those diagonals count that the triangulation has.
         """
         least = _arguments.number("min_area", min_area)
         if not least >= 0:
