@@ -28,7 +28,8 @@ class VoronoiQueries(Queries):
             What cells are intersected with, so that all are finite: a box, its lower and upper corner, shape (2, d);
             half-spaces ``A x + b <= 0``, rows ``[A, b]`` of shape (m, d + 1), as in
             `scipy.spatial.HalfspaceIntersection`; or in 2D the corners of a convex polygon in order, shape (m, 2), m
-            > 2.
+            > 2. Corners may be repeated, or on an edge: turns back of less than 1e-9, as rounding makes them, count as
+            straight.
 
         Returns
         -------

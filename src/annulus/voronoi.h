@@ -145,9 +145,9 @@ struct Voronoi_diagram {
 /// tested, not proved. The measure of a facet, and the volume of a cell, outside the clip is 0. Coordinates of any
 /// magnitude, and normals of any length, have the same errors.
 ///
-/// O(n): about 2 microseconds per vertex in 2D, 10 in 3D (without a clip), and 20 microseconds for a facet that is
-/// computed exactly. The same preconditions and exceptions as voronoi_volumes; bad_input and not_finite for a clip.
-/// Where all points are in a plane or on a line every facet is unbounded, and none is found to be empty.
+/// O(n): about 2 microseconds per vertex in 2D, 10 in 3D (without a clip), and 20 for a facet that is computed exactly.
+/// Preconditions and exceptions as for voronoi_volumes; bad_input where neighbours are not mutual, or have no facet in
+/// common; bad_input, not_finite for a clip. Flat sets: every facet is unbounded, and none is found to be empty.
 template <int d>
 [[nodiscard]] Voronoi_diagram<d> voronoi_diagram(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
                                                  const Voronoi_clip<d>* clip = nullptr);
