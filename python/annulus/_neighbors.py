@@ -28,7 +28,8 @@ class VoronoiQueries(Queries):
             What cells are intersected with, so that all are finite: a box, its lower and upper corner, shape (2, d);
             half-spaces ``A x + b <= 0``, rows ``[A, b]`` of shape (m, d + 1), as in
             `scipy.spatial.HalfspaceIntersection`; or in 2D the corners of a convex polygon in order, shape (m, 2), m
-            > 2.
+            > 2. Corners may be repeated, or on an edge: turns back of less than 1e-9, as rounding makes them, count as
+            straight.
 
         Returns
         -------
@@ -46,7 +47,7 @@ class VoronoiQueries(Queries):
         five) cospherical corners are decided exactly, and take some microseconds each.
         """
         box, half_spaces = clip_of(clip, self.ndim)
-        return Voronoi(self.points, _core.voronoi(self._mesh, box, half_spaces))
+        return Voronoi(_core.voronoi(self._mesh, box, half_spaces))
 
     def voronoi_volumes(self, clip: ArrayLike | None = None) -> Floats:
         """The areas (2D) or volumes (3D) of the Voronoi cells, in the unit of the points to the power of d.
@@ -147,6 +148,10 @@ class VoronoiQueries(Queries):
         ------
         Error
             With the code ``usage`` for other letters.
+
+        Notes
+        -----
+        Where all points are on a line, or in 3D in a plane, every facet is unbounded, exactly empty ones included.
         """
         if not isinstance(quantities, str):
             raise TypeError(f"quantities must be a str, not {_arguments.described(quantities)}")
@@ -185,6 +190,11 @@ class VoronoiQueries(Queries):
         -------
         ndarray of int32, shape (npoints,)
             0 at free indices.
+
+        Notes
+        -----
+        Where all points are on a line, or in 3D in a plane, no facet is found to be exactly empty: of a square lattice
+        in 3D those diagonals count that the triangulation has.
         """
         least = _arguments.number("min_area", min_area)
         if not least >= 0:

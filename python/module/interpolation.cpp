@@ -3,8 +3,8 @@
 #include <module/mesh_locked.h>
 #include <module/parts.h>
 
+#include <annulus/measure/voronoi_facets.h>
 #include <annulus/predicates.h>
-#include <annulus/voronoi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,16 +73,17 @@ bool for_each_weight(const Sites<d>& sites, Index start, const Coordinates<d>& x
     points.push_back(x);
     const auto last = static_cast<Index>(near.size());
     const Moving_mesh<d> mesh{std::span<const Coordinates<d>>(points)};
-    const Voronoi_diagram<d> diagram = voronoi(mesh);
-    if (!std::isfinite(diagram.volume[at(last)])) return false;
-    double sum = 0;
-    for (int pass = 0; pass < 2; ++pass)
-        for (std::size_t k = 0; k < diagram.pair.size(); ++k) {
-            if (diagram.pair[k][1] != last) continue;
-            const double weight = diagram.measure[k] / diagram.distance[k];
-            if (pass == 0) sum += weight;
-            else use(near[at(diagram.pair[k][0])], weight / sum);
-        }
+    Voronoi_facets<d> facets(mesh.points(), mesh.cell_lists()->cells);
+    if (facets.input().where[at(last)] != Vertex_location::inside) return false;
+    // In 3D the area of a facet may be too small for a double, or too large.
+    std::vector<std::pair<Index, long double>> weights;
+    long double sum = 0;
+    facets.for_each([&](const Voronoi_facet<d>& f) {
+        if (f.j != last || f.empty) return;
+        weights.emplace_back(f.i, std::ldexp(static_cast<long double>(f.measure), (d - 1) * f.exponent) / f.distance);
+        sum += weights.back().second;
+    });
+    for (const auto& [i, weight] : weights) use(near[at(i)], static_cast<double>(weight / sum));
     return true;
 }
 

@@ -7,9 +7,11 @@
 #include <annulus/measure/nearest_vertex.h>
 #include <annulus/voronoi.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace annulus::python {
 
@@ -43,8 +45,17 @@ std::optional<Voronoi_clip<d>> clip_of(const py::object& box, const py::object& 
 }
 
 template <int d>
-Voronoi_diagram<d> diagram_of(const Mesh<d>& mesh, const std::optional<Voronoi_clip<d>>& clip) {
-    return mesh.read([&](const Moving_mesh<d>& m) { return clip ? voronoi(m, *clip) : voronoi(m); });
+Voronoi_diagram<d> diagram_of(const Moving_mesh<d>& mesh, const std::optional<Voronoi_clip<d>>& clip) {
+    return clip ? voronoi(mesh, *clip) : voronoi(mesh);
+}
+
+/// NaN at free indices.
+template <int d>
+std::vector<Coordinates<d>> points_of(const Moving_mesh<d>& mesh) {
+    std::vector<Coordinates<d>> points(mesh.points().begin(), mesh.points().end());
+    for (std::size_t v = 0; v < points.size(); ++v)
+        if (!mesh.is_vertex(static_cast<Index>(v))) points[v].fill(std::numeric_limits<double>::quiet_NaN());
+    return points;
 }
 
 /// NumPy's bool is a byte that is 0 or 1.
@@ -58,8 +69,11 @@ py::array give_flags(std::vector<char> flags) {
 
 template <int d>
 py::dict voronoi_of(const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
-    Voronoi_diagram<d> v = diagram_of<d>(mesh, clip_of<d>(box, half_spaces));
+    const auto clip = clip_of<d>(box, half_spaces);
+    auto [points, v] =
+        mesh.read([&](const Moving_mesh<d>& m) { return std::pair(points_of<d>(m), diagram_of<d>(m, clip)); });
     py::dict out;
+    out["points"] = give_rows(std::move(points));
     out["pairs"] = give_rows(std::move(v.pair));
     out["areas"] = give(std::move(v.measure));
     out["facet_centroids"] = give_rows(std::move(v.centroid));
@@ -106,7 +120,8 @@ void add(py::module_& m) {
     m.def("nearest_vertex", &nearest_vertex<d>);
     m.def("voronoi", &voronoi_of<d>);
     m.def("clipped_volumes", [](const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
-        return give(diagram_of<d>(mesh, clip_of<d>(box, half_spaces)).volume);
+        const auto clip = clip_of<d>(box, half_spaces);
+        return give(mesh.read([&](const Moving_mesh<d>& of) { return diagram_of<d>(of, clip).volume; }));
     });
     m.def("voronoi_gradient", [](const Mesh<d>& mesh, const py::object& weights) {
         const Numbers g = numbers_of(weights, "g");

@@ -4,6 +4,7 @@ the simplices, and beside finite differences. `tests/measure/voronoi_diagram_tes
 
 import itertools
 import pickle
+import threading
 
 import annulus
 import numpy as np
@@ -261,9 +262,10 @@ def test_clips(d):
     assert mine.centroids == pytest.approx(mirrored.centroids[:80], abs=1e-9)
     i, j, area = dt.neighbor_list("ijA", clip=box)
     assert np.isfinite(area).all() and dt.neighbor_counts(clip=box, min_area=1e-12).sum() == np.sum(area > 1e-12)
-    for wrong, code in ((box[::-1], "bad_input"), (np.full((2, d), np.nan), "not_finite"), ([1.0, 2.0], "wrong_size"),
-                        (faces[:d], "bad_input")):
-        with pytest.raises(annulus.Error) as e:
+    for wrong, code, what in ((box[::-1], "bad_input", "no interior"), (box * np.nan, "not_finite", "not finite"),
+                              ([1.0, 2.0], "wrong_size", rf"shape \(2, {d}\)"), (faces[:d], "bad_input", "not bound"),
+                              (np.eye(2, 5 - d), *(("bad_input", "in 3D") if d == 2 else ("wrong_size", "a box")))):
+        with pytest.raises(annulus.Error, match=what) as e:
             dt.voronoi(clip=wrong)
         assert e.value.code == code
 
@@ -336,7 +338,7 @@ def test_few_points():
         for n in (0, 1, 2):
             dt = annulus.MovingDelaunay(np.arange(n * d, dtype=float).reshape(n, d))
             v = dt.voronoi()
-            assert len(v.ridge_points) == max(0, n - 1) and len(v.regions) == max(1, n) and np.isinf(v.volumes).all()
+            assert len(v.ridge_points) == max(0, n - 1) and len(v.regions) == n and np.isinf(v.volumes).all()
             assert np.all(dt.voronoi_vjp(np.ones(n)) == 0) and len(dt.voronoi_jacobian()[1]) == 0
             if n > 0:
                 assert dt.voronoi_volumes(clip=[[0] * d, [1] * d]).sum() == pytest.approx(1)
@@ -354,3 +356,127 @@ def test_what_is_refused():
     for call in (lambda: dt.neighbor_list(3), lambda: dt.neighbor_counts(strict=2), lambda: dt.voronoi_vjp(["a"] * 20)):
         with pytest.raises(TypeError):
             call()
+
+
+def test_regions_of_flat_hull_triangles():
+    """The widest angle around a point is not always towards infinity."""
+    x = [[-2, 0], [0, 0], [2, 0], [-1, 0.01], [1, 0.01], [0, 60.0]]
+    assert annulus.MovingDelaunay(x).voronoi().regions[1] == [-1, 1, 4, 3, 0]
+
+
+@pytest.mark.parametrize("scale, offset", [(1e-5, 5e6), (1e-6, 1e6), (1e-2, 4e8), (1, 1e10), (1e150, 0), (1e-150, 0)])
+def test_polygons_far_away_and_in_any_unit(scale, offset):
+    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
+    x = np.random.default_rng(0).random((50, 2)) * scale + offset
+    dt = annulus.MovingDelaunay(x, merge_duplicates=True)
+    area = np.nansum(dt.voronoi_volumes(clip=square * scale + offset)) / scale / scale
+    assert abs(area - 1) < 2e-16 * (1 + offset / scale) * 20 + 1e-12
+
+
+def test_polygons_have_to_be_convex():
+    dt = annulus.MovingDelaunay(np.random.default_rng(0).random((50, 2)))
+    star = [(0.5 + 0.4 * np.cos(4 * np.pi * k / 5), 0.5 + 0.4 * np.sin(4 * np.pi * k / 5)) for k in range(5)]
+    for wrong in ([[0, 0], [1, 0], [1, 0.5], [0.5, 0.5], [0.5, 0.5], [0.5, 1], [0, 1]], star, [[0, 0], [1, 0], [0, 0]],
+                  [[0, 0], [1, 0], [0.5, 0]], [[0, 0]] * 4):
+        with pytest.raises(annulus.Error, match="convex polygon"):
+            dt.voronoi_volumes(clip=wrong)
+    corner = np.array([[0.1, 0.2], [0.9, 0.3], [0.4, 0.93]])
+    on_edges = np.concatenate([corner[i] + (corner[(i + 1) % 3] - corner[i]) * k / 10 for i in range(3)
+                               for k in range(10)]).reshape(-1, 2)
+    for clip in (on_edges, on_edges[::-1]):
+        assert abs(np.nansum(dt.voronoi_volumes(clip=clip)) - 0.277) < 1e-12
+
+
+@pytest.mark.parametrize("power", [-1065, -600, 0, 300, 500])
+def test_polygons_of_any_size(power):
+    """A triangle with edges 3, 4 and 5, of which subnormal coordinates and normals hold few digits."""
+    corners = np.ldexp([[1.0, 1], [4, 1], [1, 5]], power)
+    v = annulus.MovingDelaunay(corners[:1]).voronoi(clip=corners)
+    assert v.surfaces[0] == pytest.approx(np.ldexp(12.0, power), rel=1e-12)
+    normals = np.array([[-1.0, 0], [0, -1], [4, 3]])
+    for length in (-1070, 0, 1020):
+        if -1070 <= length + power < 1019:
+            rows = np.column_stack([np.ldexp(normals, length), -np.ldexp([-1.0, -1, 19], length + power)])
+            v = annulus.MovingDelaunay(corners[:1]).voronoi(clip=rows)
+            assert v.surfaces[0] == pytest.approx(np.ldexp(12.0, power), rel=1e-12)
+
+
+def test_points_and_measures_are_of_one_moment(monkeypatch):
+    """As beside a thread that inserts before the one call that takes the lock, and moves after it."""
+    rng = np.random.default_rng(0)
+    dt = annulus.MovingDelaunay(rng.random((40, 2)))
+    inner = annulus._core.voronoi
+
+    def beside(mesh, *rest):
+        dt.insert([[0.5, 0.5]])
+        dt.remove([3])
+        dt.remove([4])
+        parts = inner(mesh, *rest)
+        moved.append(dt.points)
+        dt.move(1 + rng.random((41, 2)))
+        dt.insert([[0.25, 0.25], [0.75, 0.75]])
+        return parts
+
+    moved = []
+    monkeypatch.setattr(annulus._core, "voronoi", beside)
+    v = dt.voronoi()
+    assert np.array_equal(v.points, moved[0], equal_nan=True) and v.points.shape == (41, 2)
+    assert len(v.volumes) == len(v.regions) == 41 and v.regions[3] == [] and v.point_region[3] == -1
+
+
+def test_points_and_measures_beside_a_thread():
+    rng = np.random.default_rng(1)
+    dt = annulus.MovingDelaunay(rng.random((200, 2)))
+    stop = threading.Event()
+
+    def changes():
+        while not stop.is_set():
+            dt.remove(dt.insert(rng.random((20, 2))))
+
+    thread = threading.Thread(target=changes)
+    thread.start()
+    try:
+        for _ in range(30):
+            v = dt.voronoi()
+            assert len(v.regions) == len(v.points) == len(v.volumes)
+            assert np.array_equal(np.isnan(v.points[:, 0]), np.isnan(v.volumes))
+            assert v.distances == pytest.approx(np.linalg.norm(np.diff(v.points[v.ridge_points], axis=1)[:, 0], axis=1))
+    finally:
+        stop.set()
+        thread.join()
+
+
+@pytest.mark.parametrize("power", [-1000, -600, 300, 480])
+@pytest.mark.parametrize("d", [2, 3])
+def test_interpolation_in_any_unit(d, power):
+    """Areas of facets may be too small for doubles, or too large, where weights are not."""
+    rng = np.random.default_rng(70 + d)
+    x = rng.random((60, d))
+    queries = rng.uniform(0.3, 0.7, (20, d))
+    values = rng.random(60)
+    usual = annulus.MovingDelaunay(x).interpolate(values, queries)
+    assert np.isfinite(usual).any()
+    found = annulus.MovingDelaunay(np.ldexp(x, power)).interpolate(values, np.ldexp(queries, power))
+    assert found == pytest.approx(usual, rel=1e-12, nan_ok=True)
+
+
+def test_clipped_areas_are_as_far_off_as_their_angle_is_small():
+    """Two points 1e-11 apart: sides of their cells nearly coincide."""
+    v = annulus.MovingDelaunay([[0.3, 0.4], [0.3, 0.4 + 1e-11], [0.8, 0.5]]).voronoi(clip=[[0, 0], [1, 1]])
+    (twins,) = np.flatnonzero(np.all(v.ridge_points == [0, 1], axis=1))
+    sine = 1e-11 / 0.51 * 0.9
+    others = np.arange(3) != twins
+    assert v.volumes.sum() == pytest.approx(1, rel=1e-13)
+    # From x = 0 to the bisector with the third point, which both cells share.
+    assert v.areas[twins] == pytest.approx(0.55 + 0.1 * (0.45 - 0.4) / 0.5, abs=1e-9)
+    length = np.hypot(1, 0.2)
+    assert abs(v.areas[others].sum() - length) < 2 * 2**-46 * np.sqrt(2) / sine
+
+
+def test_flat_sets_have_no_empty_facets():
+    """A square lattice in a plane of 3D has 4 neighbours in the plane, and diagonals count besides."""
+    x = np.column_stack([lattice("square")[0], np.zeros(25)])
+    dt = annulus.MovingDelaunay(x)
+    counts = dt.neighbor_counts()
+    assert np.array_equal(counts, dt.neighbor_counts(strict=False)) and counts[12] > 4
+    assert np.isinf(dt.neighbor_list("A")).all() and annulus.MovingDelaunay(x[:, :2]).neighbor_counts()[12] == 4

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/voronoi.h>
 
-#include <annulus/measure/convex_cell.h>
+#include <annulus/measure/voronoi_cut.h>
 #include <annulus/moving_mesh.h>
 
 #include <limits>
+#include <span>
 
 namespace annulus::inline v1 {
 
@@ -15,13 +16,13 @@ template <int d>
 void measure_all(Voronoi_diagram<d>& diagram, std::size_t v, const Voronoi_clip<d>* clip) {
     diagram.volume[v] = diagram.surface[v] = std::numeric_limits<double>::infinity();
     if (clip == nullptr) return;
-    Convex_cell<d> cell(clip->lower, clip->upper, -1);
-    for (const auto& [normal, offset] : clip->half_spaces) cell.cut(normal, offset, -1);
-    const Cell_content<d> content = cell.content();
-    diagram.volume[v] = content.volume;
-    diagram.cell_centroid[v] = content.centroid;
-    diagram.surface[v] = 0;
-    for (const auto& side : cell.sides()) diagram.surface[v] += side.measure;
+    Coordinates<d> middle;
+    for (std::size_t k = 0; k < d; ++k) middle[k] = 0.5 * clip->lower[k] + 0.5 * clip->upper[k];
+    const Voronoi_cut<d> cut(std::span(&middle, 1), {}, *clip);
+    const Cut_cell<d> cell = cut.cell(0);
+    diagram.volume[v] = cut.measure(cell.content.volume, d);
+    diagram.surface[v] = cut.measure(cell.surface, d - 1);
+    diagram.cell_centroid[v] = cut.position(0, cell.content.centroid);
 }
 
 template <int d>

@@ -77,7 +77,8 @@ struct Voronoi_clip {
 
 /// The region of these half-spaces, with a box a little larger than it. O(m^2) for m of them. Throws not_finite;
 /// bad_input unless it is bounded and has an interior. It counts as unbounded if it reaches beyond 2^20 times the
-/// largest distance of one of their planes from the origin.
+/// largest distance of one of their planes from the origin, or beyond 2^1000; and as without an interior if it is
+/// thinner than 2^-50 of its distance from the origin or of its diameter.
 template <int d>
 [[nodiscard]] Voronoi_clip<d> voronoi_clip(std::span<const Half_space<d>> half_spaces);
 
@@ -135,15 +136,18 @@ struct Voronoi_diagram {
 ///
 /// With a clip, cells and facets are intersected with it, so that all are finite. A facet with all its corners inside
 /// it is as above, and so are cells that have only such facets. Other cells are cut out of a box in doubles, by the
-/// bisectors of their neighbours and by the planes of the clip, each corner once, so that the surface is closed. With L
-/// the diameter of the box around clip, points and, if there are half-spaces, the origin, a volume is off by 2^-44 L^d
-/// at most, and a measure by 2^-33 L^(d-1), where the planes of a facet and of the clip do not nearly coincide (there
-/// either may be counted as the border). These two bounds are tested, not proved. The measure of a facet, and the
-/// volume of a cell, outside the clip is 0.
+/// bisectors of their neighbours and by the planes of the clip, each corner once, so that the surface is closed. Let L
+/// be the diameter of the box around clip, points and, if there are half-spaces, the origin. A volume is off by 2^-44
+/// L^d at most. A measure is off by 2^-46 L^(d-1) / s at most, where s is the sine of the smallest angle between the
+/// plane of the facet and that of another side of the cell of i: a facet ends where it meets another side, and where
+/// the two nearly coincide, this is far off along both. Two points that are 1e-11 L apart have such cells: some of
+/// their measures are off by 1e-5 L^(d-1). A surface is off by as much as its facets are together. These bounds are
+/// tested, not proved. The measure of a facet, and the volume of a cell, outside the clip is 0. Coordinates of any
+/// magnitude, and normals of any length, have the same errors.
 ///
-/// O(n): about 2 microseconds per vertex in 2D, 10 in 3D (without a clip), and 20 microseconds for a facet that is
-/// computed exactly. The same preconditions and exceptions as voronoi_volumes; bad_input and not_finite for a clip.
-/// Where all points are in a plane or on a line every facet is unbounded, and none is found to be empty.
+/// O(n): about 2 microseconds per vertex in 2D, 10 in 3D (without a clip), and 20 for a facet that is computed exactly.
+/// Preconditions and exceptions as for voronoi_volumes; bad_input where neighbours are not mutual, or have no facet in
+/// common; bad_input, not_finite for a clip. Flat sets: every facet is unbounded, and none is found to be empty.
 template <int d>
 [[nodiscard]] Voronoi_diagram<d> voronoi_diagram(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
                                                  const Voronoi_clip<d>* clip = nullptr);

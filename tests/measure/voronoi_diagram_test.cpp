@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Facets and cells of Voronoi diagrams compared with cells cut out in rational numbers (facet_oracle.h), for points of
 // every kind.
+#include <annulus/error.h>
 #include <annulus/measure/circumcentre.h>
 #include <annulus/moving_mesh.h>
 #include <annulus/voronoi.h>
@@ -14,6 +15,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -159,12 +161,21 @@ std::size_t check_all(const Points_d<d>& x) {
     return empty;
 }
 
+/// Whether both functions refuse these cells as bad input.
 template <int d>
-Points_d<d> uniform(std::size_t n, Random& random) {
-    Points_d<d> x(n);
-    for (auto& p : x)
-        for (double& c : p) c = between(random, 0, 1);
-    return x;
+bool are_refused(const Points_d<d>& x, const Mesh_cells<d>& cells) {
+    int refused = 0;
+    try {
+        (void)voronoi_diagram<d>(x, cells);
+    } catch (const Error& e) {
+        refused += e.code() == Error_code::bad_input ? 1 : 0;
+    }
+    try {
+        (void)voronoi_jacobian<d>(x, cells);
+    } catch (const Error& e) {
+        refused += e.code() == Error_code::bad_input ? 1 : 0;
+    }
+    return refused == 2;
 }
 
 /// The neighbours of the point in the middle of a lattice that share a facet with it.
@@ -288,5 +299,32 @@ TEMPLATE_TEST_CASE_SIG("Rings go round the edge, dimension", "[measure][voronoi]
             }
             CHECK(area == Approx(diagram.measure[k]));
         }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("Neighbours that are cells, and wrong, are refused, dimension", "[measure][voronoi]",
+                       ((int d), d), 2, 3) {
+    Random random(23);
+    const Points_d<d> x = uniform<d>(12, random);
+    const Mesh_cells<d> cells = Moving_mesh<d>{std::span<const Coordinates<d>>(x)}.cells();
+    const auto n = static_cast<Index>(cells.vertices.size());
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c)
+        for (std::size_t k = 0; k <= d; ++k) {
+            for (Index wrong = cells.outside; wrong < n; ++wrong) {
+                Mesh_cells<d> changed = cells;
+                changed.neighbours[c][k] = wrong;
+                CAPTURE(c, k, wrong, cells.neighbours[c][k]);
+                CHECK(are_refused<d>(x, changed) == (wrong != cells.neighbours[c][k]));
+            }
+            Mesh_cells<d> changed = cells;
+            const std::size_t other = random() % cells.vertices.size();
+            std::swap(changed.neighbours[c][k], changed.neighbours[other][random() % (d + 1)]);
+            CHECK(are_refused<d>(x, changed) == (changed.neighbours != cells.neighbours));
+        }
+    for (int i = 0; i < repeats(20); ++i) {  // all of them
+        Mesh_cells<d> changed = cells;
+        for (auto& row : changed.neighbours)
+            for (Index& beyond : row) beyond = static_cast<Index>(random() % at(n));
+        CHECK(are_refused<d>(x, changed));
     }
 }

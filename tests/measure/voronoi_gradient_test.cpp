@@ -18,14 +18,6 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-template <int d>
-Points_d<d> uniform(std::size_t n, Random& random) {
-    Points_d<d> x(n);
-    for (auto& p : x)
-        for (double& c : p) c = between(random, 0, 1);
-    return x;
-}
-
 }  // namespace
 
 TEMPLATE_TEST_CASE_SIG("Gradients of volumes are those of finite differences, dimension", "[measure][voronoi]",

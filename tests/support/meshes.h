@@ -4,6 +4,7 @@
 // Small sets for tests of Moving_mesh.
 
 #include <annulus/moving_mesh.h>
+#include <support/generators.h>
 
 #include <algorithm>
 #include <vector>
@@ -12,6 +13,15 @@ namespace annulus::testing {
 
 template <int d>
 using Points_d = std::vector<Coordinates<d>>;
+
+/// Uniform in the unit cube.
+template <int d>
+Points_d<d> uniform(std::size_t n, Random& random) {
+    Points_d<d> x(n);
+    for (auto& p : x)
+        for (double& c : p) c = between(random, 0, 1);
+    return x;
+}
 
 /// A sheared grid: partly cospherical, without duplicate points.
 template <int d>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/convex_cell.h>
 
+#include <annulus/space/dot.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +41,7 @@ void Convex_cell<d>::cut(const Coordinates<d>& normal, double offset, Index labe
     beyond_.clear();
     bool any = false;
     for (const auto& x : corner_) {
-        beyond_.push_back(dot(normal, x) - offset);
+        beyond_.push_back(dot<d>(normal, x) - offset);
         any = any || beyond_.back() > 0;
     }
     if (!any) return;
@@ -154,7 +156,7 @@ std::vector<Cell_side<d>> Convex_cell<d>::sides() const {
         Cell_side<d> of{side.label, 0, base};
         if constexpr (d == 2) {
             const auto e = minus<2>(corner_[side.corners[1]], base);
-            of.measure = std::sqrt(dot(e, e));
+            of.measure = std::sqrt(dot<d>(e, e));
             for (std::size_t k = 0; k < 2; ++k) of.centroid[k] += 0.5 * e[k];
         } else {
             // The vector of the area, and the centroid with weights in its direction.
@@ -164,13 +166,13 @@ std::vector<Cell_side<d>> Convex_cell<d>::sides() const {
                     cross(minus<3>(corner_[side.corners[k]], base), minus<3>(corner_[side.corners[k + 1]], base));
                 for (std::size_t i = 0; i < 3; ++i) area[i] += 0.5 * a[i];
             }
-            of.measure = std::sqrt(dot(area, area));
+            of.measure = std::sqrt(dot<d>(area, area));
             if (of.measure > 0) {
                 Coordinates<3> moment{};
                 for (std::size_t k = 1; k + 1 < side.corners.size(); ++k) {
                     const auto p = minus<3>(corner_[side.corners[k]], base);
                     const auto q = minus<3>(corner_[side.corners[k + 1]], base);
-                    const double weight = dot(cross(p, q), area) / (6 * of.measure);
+                    const double weight = dot<d>(cross(p, q), area) / (6 * of.measure);
                     for (std::size_t i = 0; i < 3; ++i) moment[i] += weight * (p[i] + q[i]);
                 }
                 for (std::size_t i = 0; i < 3; ++i) of.centroid[i] += moment[i] / of.measure;
@@ -205,7 +207,7 @@ Cell_content<d> Convex_cell<d>::content() const {
             for (std::size_t k = 1; k + 1 < side.corners.size(); ++k) {
                 const auto q = minus<d>(corner_[side.corners[k]], base);
                 const auto r = minus<d>(corner_[side.corners[k + 1]], base);
-                add(dot(p, cross(q, r)) / 6, plus(plus(p, q), r));
+                add(dot<d>(p, cross(q, r)) / 6, plus(plus(p, q), r));
             }
         }
     }

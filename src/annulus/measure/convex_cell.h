@@ -47,11 +47,6 @@ class Convex_cell {
         Index label;
         std::vector<std::size_t> corners;
     };
-    static double dot(const Coordinates<d>& a, const Coordinates<d>& b) {
-        double sum = a[0] * b[0];
-        for (std::size_t k = 1; k < d; ++k) sum += a[k] * b[k];
-        return sum;
-    }
     [[nodiscard]] std::size_t crossing(std::size_t inside, std::size_t outside);
     void close(const std::vector<std::pair<std::size_t, std::size_t>>& gaps, Index label);
     void drop_unused();

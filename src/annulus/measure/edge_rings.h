@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/error.h>
 #include <annulus/mesh_cells.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,7 +23,8 @@ struct Edge_ring {
     bool open;  ///< the edge is in the hull: the facet before the first cell and that after the last one are
 };
 
-/// Visits every edge of a triangulation once: of points that span d dimensions, with valid neighbours. O(n).
+/// Visits every edge of a triangulation once: of points that span d dimensions. O(n). Throws bad_input where neighbours
+/// have no facet in common, or the cells around an edge do not form one ring.
 template <int d>
 class Edge_rings {
   public:
@@ -54,14 +57,23 @@ class Edge_rings {
     void visit_edges(Index c, Visit& visit) const {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index n = cells_.neighbours[at(c)][k];
-            if (n != cells_.outside && n < c) continue;
             const Index p = cells_.vertices[at(c)][(k + 1) % 3];
             const Index q = cells_.vertices[at(c)][(k + 2) % 3];
+            if (n != cells_.outside && !shares(n, p, q, c)) refuse(c);
+            if (n != cells_.outside && n < c) continue;
             const bool open = n == cells_.outside;
             const std::array<Index, 2> both{c, n};
             const char crossing = static_cast<char>(k);
             visit(Edge_ring{std::min(p, q), std::max(p, q), std::span(both).first(open ? 1 : 2), {&crossing, 1}, open});
         }
+    }
+
+    /// Whether the edge from q to p of cell n has cell c beyond it.
+    [[nodiscard]] bool shares(Index n, Index p, Index q, Index c) const {
+        const auto& v = cells_.vertices[at(n)];
+        for (std::size_t k = 0; k < 3; ++k)
+            if (v[(k + 1) % 3] == q && v[(k + 2) % 3] == p) return cells_.neighbours[at(n)][k] == c;
+        return false;
     }
 
     /// The cell beyond the facet opposite to corner `across`, where this is s.k (forward) or s.l; its other corner.
@@ -72,21 +84,30 @@ class Edge_rings {
         const auto& w = cells_.vertices[at(out.cell)];
         const Index kept = v[forward ? s.l : s.k];
         std::size_t of_kept = 0;
+        unsigned found = 0;
         for (std::size_t n = 0; n < 4; ++n) {
-            if (w[n] == v[s.a]) out.a = n;
-            else if (w[n] == v[s.b]) out.b = n;
-            else if (w[n] == kept) of_kept = n;
+            if (w[n] == v[s.a]) out.a = n, found |= 1;
+            else if (w[n] == v[s.b]) out.b = n, found |= 2;
+            else if (w[n] == kept) of_kept = n, found |= 4;
         }
+        if (found != 7) refuse(s.cell);
         const std::size_t other = 6 - out.a - out.b - of_kept;
+        if (cells_.neighbours[at(out.cell)][other] != s.cell) refuse(s.cell);
         out.k = forward ? of_kept : other;
         out.l = forward ? other : of_kept;
         return out;
     }
 
+    [[noreturn]] static void refuse(Index c) {
+        throw Error(Error_code::bad_input, "neighbours of cell " + std::to_string(c) + " do not go round an edge");
+    }
+    /// Of an edge that has been visited already there is another ring.
     void mark(const Step& s) {
         const std::size_t low = std::min(s.a, s.b);
         const std::size_t high = std::max(s.a, s.b);
-        done_[at(s.cell)] |= static_cast<unsigned char>(1U << (low == 0 ? high - 1 : low + high));
+        const auto bit = static_cast<unsigned char>(1U << (low == 0 ? high - 1 : low + high));
+        if ((done_[at(s.cell)] & bit) != 0) refuse(s.cell);
+        done_[at(s.cell)] |= bit;
     }
 
     Edge_ring ring_of(Index c, std::size_t e) {
@@ -106,6 +127,7 @@ class Edge_rings {
             t = next(t, true);
             open = t.cell == cells_.outside;
         } while (!open && t.cell != c);
+        if (!open && (t.k != s.k || t.l != s.l)) refuse(c);
         if (open) {
             const auto seen = static_cast<std::ptrdiff_t>(ring_.size());
             for (t = next(s, false); t.cell != cells_.outside; t = next(t, false)) note(t);

@@ -58,7 +58,9 @@ class Edges {
             if (table_.cospherical[c][i] == 0) {
                 const Coordinates<2> one = places_.centre(c, {}, here);
                 const Coordinates<2> other = places_.centre(m, table_.translation(c, i), here);
-                area = positive(std::hypot(other[0] - one[0], other[1] - one[1]));
+                // The facet is perpendicular to the edge: along it a long box would leave its rounding only.
+                const double cross = (other[0] - one[0]) * vector[1] - (other[1] - one[1]) * vector[0];
+                area = positive(std::fabs(cross) / std::hypot(vector[0], vector[1]));
             }
         } else if (!go_round(c, a, b, here, vector, area)) {
             return;

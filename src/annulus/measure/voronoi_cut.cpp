@@ -2,8 +2,10 @@
 #include <annulus/measure/voronoi_cut.h>
 
 #include <annulus/error.h>
+#include <annulus/space/dot.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -17,7 +19,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 constexpr Index border = -1;
 
 template <int d>
-void require_clip(const Voronoi_clip<d>& clip) {
+void require_box(const Voronoi_clip<d>& clip) {
     for (std::size_t k = 0; k < d; ++k) {
         if (!std::isfinite(clip.lower[k]) || !std::isfinite(clip.upper[k]))
             throw Error(Error_code::not_finite, "the clip has a corner that is not finite");
@@ -25,28 +27,6 @@ void require_clip(const Voronoi_clip<d>& clip) {
             throw Error(Error_code::bad_input, "the box of the clip has no interior: lower[" + std::to_string(k) +
                                                    "] is not below upper[" + std::to_string(k) + "]");
     }
-    for (std::size_t h = 0; h < clip.half_spaces.size(); ++h) {
-        const auto& [normal, offset] = clip.half_spaces[h];
-        bool finite = std::isfinite(offset);
-        for (const double c : normal) finite = finite && std::isfinite(c);
-        if (!finite)
-            throw Error(Error_code::not_finite, "half-space " + std::to_string(h) + " of the clip is not finite");
-        if (normal == Coordinates<d>{})
-            throw Error(Error_code::bad_input, "half-space " + std::to_string(h) + " of the clip has no normal");
-    }
-}
-
-template <int d>
-double absolute_dot(const Coordinates<d>& a, const Coordinates<d>& b) {
-    double sum = 0;
-    for (std::size_t k = 0; k < d; ++k) sum += std::fabs(a[k] * b[k]);
-    return sum;
-}
-template <int d>
-double dot(const Coordinates<d>& a, const Coordinates<d>& b) {
-    double sum = a[0] * b[0];
-    for (std::size_t k = 1; k < d; ++k) sum += a[k] * b[k];
-    return sum;
 }
 
 }  // namespace
@@ -54,8 +34,12 @@ double dot(const Coordinates<d>& a, const Coordinates<d>& b) {
 template <int d>
 Voronoi_cut<d>::Voronoi_cut(std::span<const Coordinates<d>> points, std::span<const std::array<Index, 2>> pairs,
                             const Voronoi_clip<d>& clip)
-    : x_(points), clip_(clip), begin_(points.size() + 1, 0), index_(2 * pairs.size()) {
-    require_clip(clip);
+    : x_(points),
+      lower_(clip.lower),
+      upper_(clip.upper),
+      planes_((require_box(clip), clip_planes<d>(clip.half_spaces))),
+      begin_(points.size() + 1, 0),
+      index_(2 * pairs.size()) {
     double largest = 0;
     const auto note = [&largest](double x) { largest = std::max(largest, std::fabs(x)); };
     for (const auto& x : {clip.lower, clip.upper})
@@ -78,13 +62,12 @@ template <int d>
 bool Voronoi_cut<d>::is_inside(const Coordinates<d>& x, double error) const {
     for (std::size_t k = 0; k < d; ++k) {
         const double margin = error + 0x1p-50 * std::fabs(x[k]);
-        if (!(x[k] - margin > clip_.lower[k] && x[k] + margin < clip_.upper[k])) return false;
+        if (!(x[k] - margin > lower_[k] && x[k] + margin < upper_[k])) return false;
     }
-    for (const auto& [normal, offset] : clip_.half_spaces) {
+    for (const Clip_plane<d>& plane : planes_) {
         double length = 0;
-        for (const double c : normal) length += std::fabs(c);
-        const double margin = 2 * length * error + 0x1p-48 * (absolute_dot<d>(normal, x) + std::fabs(offset));
-        if (!(dot<d>(normal, x) + margin < offset)) return false;
+        for (const double c : plane.normal) length += std::fabs(c);
+        if (!(plane.inside(x) > 2 * length * error + 0x1p-48L * plane.terms(x))) return false;
     }
     return true;
 }
@@ -104,10 +87,23 @@ Coordinates<d> Voronoi_cut<d>::difference(const Coordinates<d>& a, const Coordin
 }
 
 template <int d>
+double Voronoi_cut<d>::measure(double in_unit, int power) const {
+    const long double x = std::ldexp(static_cast<long double>(in_unit), power * exponent_);
+    return static_cast<double>(std::min(x, static_cast<long double>(std::numeric_limits<double>::max())));
+}
+
+template <int d>
+Coordinates<d> Voronoi_cut<d>::position(Index v, const Coordinates<d>& from_v) const {
+    Coordinates<d> out;
+    for (std::size_t k = 0; k < d; ++k) out[k] = x_[at(v)][k] + std::ldexp(from_v[k], exponent_);
+    return out;
+}
+
+template <int d>
 Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
     const Coordinates<d>& x = x_[at(v)];
-    const Coordinates<d> lower = difference(clip_.lower, x);
-    const Coordinates<d> upper = difference(clip_.upper, x);
+    const Coordinates<d> lower = difference(lower_, x);
+    const Coordinates<d> upper = difference(upper_, x);
     Coordinates<d> below;
     Coordinates<d> above;
     for (std::size_t k = 0; k < d; ++k) {
@@ -117,8 +113,15 @@ Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
     Convex_cell<d> cell(below, above, border);
     const auto others = neighbours(v);
     for (std::size_t k = 0; k < others.size() && !cell.is_empty(); ++k) {
-        const Coordinates<d> e = difference(x_[at(others[k])], x);
-        cell.cut(e, 0.5 * dot<d>(e, e), static_cast<Index>(k));
+        Coordinates<d> e;  // in a unit in which it is about 1: in that of the clip it might underflow
+        double most = 0;
+        for (std::size_t a = 0; a < d; ++a) {
+            e[a] = x_[at(others[k])][a] - x[a];
+            most = std::max(most, std::fabs(e[a]));
+        }
+        const int size = std::ilogb(most);
+        for (double& c : e) c = std::ldexp(c, -size);
+        cell.cut(e, std::ldexp(0.5 * dot<d>(e, e), size - exponent_), static_cast<Index>(k));
     }
     for (std::size_t k = 0; k < d; ++k) {
         Coordinates<d> axis{};
@@ -127,12 +130,8 @@ Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
         axis[k] = -1;
         cell.cut(axis, -lower[k], border);
     }
-    for (const auto& [normal, offset] : clip_.half_spaces) {
-        // offset - normal . x, of which most digits may cancel; long double has some more.
-        long double left = offset;
-        for (std::size_t k = 0; k < d; ++k) left -= static_cast<long double>(normal[k]) * x[k];
-        cell.cut(normal, static_cast<double>(std::ldexp(left, -exponent_)), border);
-    }
+    for (const Clip_plane<d>& plane : planes_)
+        cell.cut(plane.normal, static_cast<double>(std::ldexp(plane.inside(x), -exponent_)), border);
     Cut_cell<d> out{cell.content(), 0, {}};
     for (std::size_t k = 0; k < others.size(); ++k) out.facets.push_back({static_cast<Index>(k), 0, {}});
     for (const Cell_side<d>& side : cell.sides()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/measure/clip_planes.h>
 #include <annulus/measure/convex_cell.h>
 #include <annulus/measure/voronoi_facet_exact.h>
 #include <annulus/voronoi.h>
@@ -35,13 +36,17 @@ class Voronoi_cut {
     [[nodiscard]] bool is_inside(const Coordinates<d>& x, double error) const;
     [[nodiscard]] std::span<const Index> neighbours(Index v) const;
     [[nodiscard]] Cut_cell<d> cell(Index v) const;
-    [[nodiscard]] int exponent() const { return exponent_; }
+    /// A measure of a Cut_cell in the caller's unit to this power; the largest double for what is larger.
+    [[nodiscard]] double measure(double in_unit, int power) const;
+    /// A position in the cell of v in the caller's unit.
+    [[nodiscard]] Coordinates<d> position(Index v, const Coordinates<d>& from_v) const;
 
   private:
     [[nodiscard]] Coordinates<d> difference(const Coordinates<d>& a, const Coordinates<d>& b) const;
 
     std::span<const Coordinates<d>> x_;
-    const Voronoi_clip<d>& clip_;
+    Coordinates<d> lower_, upper_;
+    std::vector<Clip_plane<d>> planes_;
     std::vector<std::size_t> begin_;
     std::vector<Index> index_;
     int exponent_;

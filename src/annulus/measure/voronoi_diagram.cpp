@@ -177,15 +177,9 @@ class Diagram {
     /// Also the facets of this cell, if they are in the clip in part: with the larger of two neighbours.
     void measure_cut_cell(std::size_t v) {
         const Cut_cell<d> cell = cut_->cell(static_cast<Index>(v));
-        const int unit = cut_->exponent();
-        const auto placed = [&](const Coordinates<d>& x) {
-            Coordinates<d> out;
-            for (std::size_t k = 0; k < d; ++k) out[k] = points()[v][k] + std::ldexp(x[k], unit);
-            return out;
-        };
-        out_.volume[v] = as_double(std::ldexp(static_cast<long double>(cell.content.volume), d * unit));
-        out_.surface[v] = as_double(std::ldexp(static_cast<long double>(cell.surface), (d - 1) * unit));
-        out_.cell_centroid[v] = placed(cell.content.centroid);
+        out_.volume[v] = cut_->measure(cell.content.volume, d);
+        out_.surface[v] = cut_->measure(cell.surface, d - 1);
+        out_.cell_centroid[v] = cut_->position(static_cast<Index>(v), cell.content.centroid);
         const auto others = cut_->neighbours(static_cast<Index>(v));
         for (std::size_t n = 0; n < others.size(); ++n) {
             if (at(others[n]) < v) continue;
@@ -195,8 +189,8 @@ class Diagram {
             const auto& [facet, begin, size] = found_[order_[k]];
             if (facet.empty || (facet.bounded && all_inside({rings_.data() + begin, size}))) continue;
             const Cell_side<d>& part = cell.facets[n];
-            out_.measure[k] = as_double(std::ldexp(static_cast<long double>(part.measure), (d - 1) * unit));
-            if (part.measure > 0) out_.centroid[k] = placed(part.centroid);
+            out_.measure[k] = cut_->measure(part.measure, d - 1);
+            if (part.measure > 0) out_.centroid[k] = cut_->position(static_cast<Index>(v), part.centroid);
             else out_.centroid[k].fill(nowhere);
         }
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/voronoi.h>
 
-#include <annulus/error.h>
 #include <annulus/measure/voronoi_facets.h>
+#include <annulus/measure/voronoi_input.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
 
 namespace annulus::inline v1 {
 
@@ -50,9 +49,7 @@ void scale_back(std::vector<Coordinates<d>>& vectors, int exponent) {
 template <int d>
 std::vector<Coordinates<d>> voronoi_gradient(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
                                              std::span<const double> weights) {
-    if (weights.size() != points.size())
-        throw Error(Error_code::wrong_size, "there are weights of " + std::to_string(weights.size()) + " cells for " +
-                                                std::to_string(points.size()) + " points");
+    require_weights(weights.size(), points.size());
     Voronoi_facets<d> facets(points, cells);
     std::vector<Coordinates<d>> gradient(points.size());
     const auto& where = facets.input().where;

@@ -16,6 +16,12 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
+void require_weights(std::size_t weights, std::size_t points) {
+    if (weights != points)
+        throw Error(Error_code::wrong_size, "there are weights of " + std::to_string(weights) + " cells for " +
+                                                std::to_string(points) + " points");
+}
+
 template <int d>
 Voronoi_input<d>::Voronoi_input(std::span<const Coordinates<d>> x, const Mesh_cells<d>& of) : points(x), cells(of) {
     if (cells.neighbours.size() != cells.vertices.size())

@@ -4,6 +4,7 @@
 #include <annulus/measure/circumcentre.h>
 #include <annulus/mesh_cells.h>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ enum class Vertex_location : char {
     hull,     ///< its Voronoi cell is unbounded
     inside
 };
+
+/// Throws wrong_size unless there is a weight for each point.
+void require_weights(std::size_t weights, std::size_t points);
 
 /// Points and cells that have been checked, as the functions of voronoi.h take them: where each vertex is, and the unit
 /// of circumcentres.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/voronoi_kept_gradient.h>
 
-#include <annulus/error.h>
 #include <annulus/measure/voronoi_facet_exact.h>
+#include <annulus/measure/voronoi_input.h>
 #include <annulus/mesh/list_cells.h>
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -116,9 +115,7 @@ class Edge_terms {
 
 std::vector<Coordinates<2>> edge_gradient(Kept_voronoi_volumes<2>& kept, std::span<const Coordinates<2>> x,
                                           std::span<const double> weights) {
-    if (weights.size() != x.size())
-        throw Error(Error_code::wrong_size, "there are weights of " + std::to_string(weights.size()) + " cells for " +
-                                                std::to_string(x.size()) + " points");
+    require_weights(weights.size(), x.size());
     const std::span<const double> volume = kept.update(x);
     const Corner_table<2>& table = kept.table();
     if (kept.centres().empty()) return voronoi_gradient<2>(x, mesh_cells<2>(table), weights);

@@ -5,6 +5,7 @@
 #include <annulus/arithmetic/exact.h>
 #include <annulus/arithmetic/wide_integer.h>
 #include <annulus/error.h>
+#include <annulus/space/dot.h>
 #include <annulus/space/selling.h>
 
 #include <algorithm>
@@ -27,13 +28,6 @@ constexpr std::int64_t most_combined = 64;  // a factor of a vector of the box i
 
 template <int d>
 using Vectors_of = typename Box<d>::Vectors;
-
-template <int d>
-double dot(const Coordinates<d>& a, const Coordinates<d>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < d; ++i) sum += a[i] * b[i];
-    return sum;
-}
 
 /// The rows that give coordinates in this basis: row j times p is the j-th.
 template <int d>
