@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+from support import HANGING
+
 # Three daemon threads that call without end; the program ends once each has begun. Whatever they are doing then, the
 # process ends well.
 PROGRAM = """
@@ -47,7 +49,7 @@ CALLS = {
 
 
 def ends_well(program, words=""):
-    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=300,
+    done = subprocess.run([sys.executable, "-B", "-c", program], capture_output=True, text=True, timeout=HANGING,
                           check=False)
     assert (done.returncode, done.stdout, done.stderr) == (0, words, ""), done
 
@@ -124,11 +126,10 @@ over = False
 sender = threading.Thread(target=send)
 sender.start()
 most = 0
-for _ in range(20):
+while most <= 4:  # the sender may have no processor for as long as a call takes, or many calls
     before = runs
     CALL
     most = max(most, runs - before)
-    if most > 4: break
 over = True
 sender.join()
 print(most > 4)

@@ -196,7 +196,7 @@ def interrupt():
     os.kill(os.getpid(), signal.SIGINT)
 try:
     threading.Thread(target=interrupt).start()
-    for _ in range(100):
+    while True:
         dt.move(x + 1)
         dt.move(x)
 except KeyboardInterrupt:

@@ -7,7 +7,6 @@ import os
 import pickle
 import signal
 import threading
-import time
 
 import annulus
 import numpy as np
@@ -202,24 +201,30 @@ def test_a_fork_in_the_middle_of_a_call():
     """The thread that was in it is not in the child: no call there waits for it, and none sees what is half done."""
     x = np.random.default_rng(0).random((60_000, 3))
     dt = annulus.MovingDelaunay(x, "rebuild")
+    over = threading.Event()
+
+    def move():
+        while not over.is_set():
+            dt.move(x[::-1])
+            dt.move(x)
+
+    mover = threading.Thread(target=move)
+    mover.start()
+    in_a_call, wrong, between_calls = 0, 1, 2
     codes = []
-    while len(codes) < 20 and 0 not in codes:
-        mover = threading.Thread(target=dt.move, args=(x[::-1].copy(),))
-        mover.start()
-        clock = time.pthread_getcpuclockid(mover.ident)
-        while mover.is_alive() and time.clock_gettime(clock) < 0.05:
-            time.sleep(1e-3)
+    while codes.count(in_a_call) < 5 and set(codes) <= {in_a_call, between_calls} and mover.is_alive():
         child = os.fork()
         if child == 0:
             signal.alarm(HANGING)
             try:
                 dt.npoints
             except RuntimeError as e:
-                os._exit(0 if "forked" in str(e) else 1)
+                os._exit(in_a_call if "forked" in str(e) else wrong)
             except BaseException:
-                os._exit(1)
-            os._exit(2)  # the move was over
+                os._exit(wrong)
+            os._exit(between_calls)
         codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
-        mover.join()
-    assert codes[-1] == 0, codes
+    over.set()
+    mover.join()
+    assert codes.count(in_a_call) == 5, codes
     assert dt.audit()

@@ -115,12 +115,19 @@ def test_others_go_on_meanwhile():
     assert counted.is_set()
 
 
-def processor_seconds(thread):
-    """What a thread has had of a processor; None once it is gone."""
-    try:
-        return time.clock_gettime(time.pthread_getcpuclockid(thread.ident))
-    except OSError:
-        return None
+class Timed(threading.Thread):
+    """A thread that says what it has had of a processor."""
+
+    def run(self):
+        self.clock = time.pthread_getcpuclockid(self.ident)  # here, while the thread is certainly there
+        super().run()
+
+    def processor_seconds(self):
+        """None before it has begun and once it is gone."""
+        try:
+            return time.clock_gettime(self.clock)
+        except (AttributeError, OSError):
+            return None
 
 
 @pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="asks a thread what it has had of a processor")
@@ -134,12 +141,12 @@ def test_two_threads_compute_at_once(call):
     begins. A busy machine may let one of them wait until the other is done: then it is tried again."""
     x = np.random.default_rng(3).random((150_000, 3))
     for _ in range(20):
-        threads = [threading.Thread(target=call, args=(x,)) for _ in range(2)]
+        threads = [Timed(target=call, args=(x,)) for _ in range(2)]
         for t in threads:
             t.start()
         at_once = False
         while not at_once and all(t.is_alive() for t in threads):
-            seconds = [processor_seconds(t) for t in threads]
+            seconds = [t.processor_seconds() for t in threads]
             at_once = None not in seconds and min(seconds) > 0.03 and all(t.is_alive() for t in threads)
             time.sleep(1e-3)
         for t in threads:

@@ -8,12 +8,14 @@
 #include <support/generators.h>
 #include <support/repeats.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <set>
+#include <utility>
 
 using namespace annulus;
 using namespace annulus::oracle;
@@ -48,6 +50,12 @@ Program_of<d> long_program(Random& random) {
     return program;
 }
 
+/// Limited by the number of runs alone: what is reached in ten seconds depends on the machine and its load.
+template <class Some_program, class Fails>
+Some_program shrunk_by_runs(const Some_program& program, Fails fails, int runs = 3000) {
+    return shrunk(program, std::move(fails), runs, std::chrono::hours(10'000));
+}
+
 std::vector<std::uint8_t> bytes_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
@@ -80,7 +88,7 @@ TEMPLATE_TEST_CASE_SIG("A program that fails is shrunk to what makes it fail, di
         };
         for_each_program([&](const Small_program& program) {
             REQUIRE(fails(program));
-            const Small_program small = shrunk(program, fails);
+            const Small_program small = shrunk_by_runs(program, fails);
             INFO(as_code(small));
             CHECK(fails(small));
             REQUIRE(small.operations.size() == 2);
@@ -97,7 +105,7 @@ TEMPLATE_TEST_CASE_SIG("A program that fails is shrunk to what makes it fail, di
         };
         for_each_program([&](const Small_program& program) {
             REQUIRE(fails(program));
-            const Small_program small = shrunk(program, fails);
+            const Small_program small = shrunk_by_runs(program, fails);
             INFO(as_code(small));
             CHECK(fails(small));
             CHECK(small.operations.empty());
@@ -118,7 +126,7 @@ TEMPLATE_TEST_CASE_SIG("A program that fails is shrunk to what makes it fail, di
                 });
             };
             REQUIRE(fails(program));
-            const Small_program small = shrunk(program, fails);
+            const Small_program small = shrunk_by_runs(program, fails);
             INFO(as_code(small));
             CHECK(fails(small));
             CHECK(small.operations.size() == 1);
@@ -131,15 +139,15 @@ TEST_CASE("Shrinking ends when nothing may go, and after as many runs as it is g
     Random random(1);
     const Program program = long_program<2>(random);
     int runs = 0;
-    (void)shrunk(program, [&](const Program&) { return ++runs < 0; });
+    (void)shrunk_by_runs(program, [&](const Program&) { return ++runs < 0; });
     CHECK(runs > 0);
     CHECK(runs <= 3000);
     runs = 0;
-    (void)shrunk(
+    (void)shrunk_by_runs(
         program, [&](const Program&) { return ++runs < 0; }, 17);
     CHECK(runs == 17);
     runs = 0;
-    const Program nothing = shrunk(program, [&](const Program&) { return ++runs > 0; });
+    const Program nothing = shrunk_by_runs(program, [&](const Program&) { return ++runs > 0; });
     CHECK(nothing.points.empty());
     CHECK(nothing.operations.empty());
 }

@@ -70,7 +70,7 @@ class Kinds(ToolTest):
     def test_standard_input_without_end(self):
         with open("/dev/zero", "rb") as zero:
             done = subprocess.run([tool.OPTIONS["tool"], "sweep", "-", "--output", "out"], cwd=self.here, stdin=zero,
-                                  capture_output=True, text=True, timeout=60, check=False)
+                                  capture_output=True, text=True, timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stdout), (3, ""))
         self.assertRegex(done.stderr, r"\Aannulus: standard input: has more than 67108864 bytes; expected fewer\n\Z")
 

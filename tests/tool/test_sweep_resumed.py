@@ -67,11 +67,12 @@ class Interrupted(Stopped):
 
     def test_what_is_done_is_not_done_again(self):
         before = self.sweep(SPEC, "out")
-        stamp = (self.here / "out" / "costs.jsonl").read_bytes()
+        costs = self.here / "out" / "costs.jsonl"
+        costs.write_text("marked", encoding="utf-8")
         self.assertIn("already", self.succeed("sweep", "spec.toml", "--output", "out").stdout)
-        self.assertEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
+        self.assertEqual(costs.read_text(encoding="utf-8"), "marked")
         self.assertEqual(self.sweep(SPEC, "out", "--force"), before)
-        self.assertNotEqual((self.here / "out" / "costs.jsonl").read_bytes(), stamp)
+        self.assertNotEqual(costs.read_text(encoding="utf-8"), "marked")
         # Another specification may replace complete results, as with every subcommand.
         self.sweep("[[grid]]\npoints = 20\n", "out")
         self.assertEqual(len(self.lines("out")), 1)

@@ -107,7 +107,9 @@ class Spec(test_sweep.SweepTest):
                               capture_output=True, text=True, env={**os.environ, "SLURM_STEP_NUM_TASKS": "2"},
                               timeout=tool.HANGING, check=False)
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertRegex(done.stderr, r"\Aannulus: started as one of 2 processes, [^\n]+\n\Z")
+        # Libraries of MPI may warn: one measures the processor's clock, and does not believe it on a busy machine.
+        said = "".join(line for line in done.stderr.splitlines(keepends=True) if line.startswith("annulus:"))
+        self.assertRegex(said, r"\Aannulus: started as one of 2 processes, [^\n]+\n\Z")
         self.assertEqual(self.listing(), ["spec.toml"])
 
     def test_a_fault_in_a_file_of_points(self):
