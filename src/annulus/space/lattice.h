@@ -39,7 +39,7 @@ class Lattice {
     /// The unit of the grid on each axis, a power of two.
     [[nodiscard]] const Coordinates<d>& grid() const { return grid_; }
     /// How far the neighbours of a point are, at most: the coordinates in the basis of an edge of any Delaunay
-    /// triangulation with this lattice are at most these, with a margin for rounding (docs/theory.md 8.5).
+    /// triangulation with this lattice are at most these, with a margin for what in_basis rounds (docs/theory.md 8.5).
     [[nodiscard]] const Coordinates<d>& reach() const { return reach_; }
     /// det L, positive.
     [[nodiscard]] double volume() const;
@@ -63,6 +63,9 @@ class Lattice {
 
   private:
     void choose_grid();
+    void require_combinations() const;
+    void round_box();
+    void choose_reach();
 
     Vectors given_;  // as it was given, unrounded
     Vectors box_;
