@@ -107,6 +107,12 @@ double rounded(double x, double grid) {
     return static_cast<double>(sum.nearest()) * grid;
 }
 
+/// Whether a place with these coordinates in the basis is in its cell, up to half a vector.
+template <int d>
+bool is_near(const Coordinates<d>& f) {
+    return std::all_of(f.begin(), f.end(), [](double c) { return c >= -0.5 && c < 1.5; });
+}
+
 template <int d>
 int sign_of_determinant(const Vectors_of<d>& box) {
     std::vector<double> numbers;
@@ -264,7 +270,7 @@ Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64
     Coordinates<d> left = p;
     for (int turn = 0; turn < 8; ++turn) {
         const Coordinates<d> f = in_basis(left);
-        if (turn > 0 && std::all_of(f.begin(), f.end(), [](double c) { return c >= -0.5 && c < 1.5; })) return r;
+        if (turn > 0 && is_near<d>(f)) return r;
         for (std::size_t j = 0; j < d; ++j) {
             const double k = std::floor(f[j]);
             if (!(std::fabs(k) <= most_images)) break;
@@ -293,6 +299,16 @@ Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64
         left = r.place;
     }
     throw_thin();
+}
+
+template <int d>
+bool Lattice<d>::is_representative(const Representative<d>& r) const {
+    for (std::size_t i = 0; i < d; ++i) {
+        const double units = r.place[i] / grid_[i];
+        if (!(std::fabs(units) < 0x1p53) || std::floor(units) != units) return false;
+        if (std::fabs(static_cast<double>(r.image[i])) > most_images) return false;
+    }
+    return is_near<d>(in_basis(r.place));
 }
 
 template <int d>
