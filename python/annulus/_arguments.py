@@ -179,6 +179,17 @@ def _positions(value: object) -> object:
     return value
 
 
+def periodic_directions(value: object) -> list[bool] | None:
+    """The flags of an object, or of its box, that say in which directions it is periodic; None if it has none."""
+    for path in ("", *_BOXES):
+        box = _attribute(value, path) if path else value
+        for flags in ("pbc", "periodic"):
+            periodic = _attribute(box, flags)
+            if periodic is not None and not callable(periodic):
+                return [bool(flag) for flag in np.atleast_1d(np.asarray(periodic)).ravel()]
+    return None
+
+
 def has_box(value: object) -> bool:
     """Whether an object has a periodic box, judged by the attributes that other packages use for one."""
     for path in ("", *_BOXES):

@@ -19,8 +19,9 @@ _MISSING = ("insert", "remove", "recompute_tolerances", "find_simplex", "convex_
             "vertex_of_input", "affine_dimension")
 
 
-class NotAvailableError(Error, NotImplementedError):
-    """Something that is not available with a periodic box. Its code is ``usage``."""
+class NotAvailableError(Error, NotImplementedError, AttributeError):
+    """Something that is not available with a periodic box. Its code is ``usage``. It is an `AttributeError`, too, so
+    that `hasattr` is False for what is missing."""
 
     def __init__(self, what: str, code: str = "usage", vertices: tuple[int, ...] = ()) -> None:
         super().__init__(what, code, vertices)
@@ -31,12 +32,13 @@ class PeriodicDelaunay:
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with
     offsets, and exact: proved after every build for `points` and `box`, which are those given, rounded once to about
-    2**-49 of the box (docs/periodic.md). Any number of points, from none on, in any box.
+    2**-49 of the box (docs/periodic.md). Any number of points, from none on, in any box that is not too thin or skewed.
 
     Parameters
     ----------
     points : array_like, shape (n, 2) or (n, 3)
-        Positions, in any unit of length, inside the box or not: any image of each point.
+        Positions, in any unit of length, inside the box or not: any image of each point. Of an object with flags of
+        its own (ASE's `pbc`), all have to be set; an array, such as `atoms.positions`, has none.
     box : array_like, shape (d,) or (d, d)
         The lengths of an orthorhombic box, or the vectors of any box as rows. All directions are periodic.
     threads : int, optional
@@ -46,16 +48,17 @@ class PeriodicDelaunay:
     ------
     Error
         With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``duplicate_point`` if two points are images
-        of one another, ``too_large``, ``usage`` for a box without volume or one that is too skewed, ``environment``.
+        of one another, ``too_large``, ``usage`` for a box without volume or one that is too skewed or too thin,
+        ``environment``. `NotAvailableError` for an object that is not periodic in all directions.
 
     Notes
     -----
-    Every `move` builds anew, and costs what constructing costs. There are no tolerances, no reports, no insertion and
-    no removal with a box yet: what `MovingDelaunay` has and this class has not raises an `Error` that is a
-    `NotImplementedError`, too.
+    Every `move` builds anew, and costs what constructing costs. There are no tolerances, no lists of changes, no
+    insertion and no removal with a box yet: what `MovingDelaunay` has and this class has not raises a
+    `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
 
-    Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`.
-    Pickling keeps points, box and threads.
+    Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`. What
+    is pickled or copied is the same afterwards, bit for bit, wherever its points are; also attributes of your own.
 
     Examples
     --------
@@ -81,7 +84,7 @@ class PeriodicDelaunay:
         self._mesh = kind.build(array, box, threads)
         self._threads = threads
 
-    def move(self, points: ArrayLike, box: ArrayLike | None = None) -> None:
+    def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
         """Moves all points, and gives the box another shape. Builds anew.
 
         Parameters
@@ -91,12 +94,18 @@ class PeriodicDelaunay:
         box : array_like, shape (d,) or (d, d), optional
             The new box; the old one by default.
 
+        Returns
+        -------
+        MoveResult
+            All points are `rebuilt` in it. Its lists of simplices and edges are not available: they raise an `Error`
+            with the code ``usage``.
+
         Raises
         ------
         Error
             With the codes of the constructor; nothing has changed then.
         """
-        self._mesh.move(_plain(points), box)
+        return self._mesh.move(_plain(points), box)
 
     @property
     def points(self) -> Floats:
@@ -113,24 +122,27 @@ class PeriodicDelaunay:
     def simplices(self) -> Indices:
         """ndarray of int32, shape (nsimplex, d + 1): vertices of the simplices, positively oriented, one simplex of
         each set of translates. A vertex may occur several times in one."""
-        return self._mesh.cells()[0]
+        return self._mesh.simplices
 
     @property
     def simplex_offsets(self) -> NDArray[np.int8]:
         """ndarray of int8, shape (nsimplex, d + 1, d): which image of its vertex each corner is. It is at
-        ``points[simplices] + simplex_offsets @ box``. The least offset of a simplex is 0 in each direction."""
-        return self._mesh.cells()[1]
+        ``points[simplices] + simplex_offsets @ box``. The least offset of a simplex is 0 in each direction. Raises an
+        `Error` with the code ``too_large`` where one is above 127, as may be where neighbours were given 127 boxes
+        apart or more."""
+        return self._mesh.simplex_offsets
 
     @property
     def neighbors(self) -> Indices:
         """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each corner."""
-        return self._mesh.cells()[2]
+        return self._mesh.neighbors
 
     @property
     def neighbor_offsets(self) -> NDArray[np.int8]:
         """ndarray of int8, shape (nsimplex, d + 1, d): what to add to the offsets of that simplex, so that the corners
-        of the common facet have the same ones."""
-        return self._mesh.cells()[3]
+        of the common facet have the same ones. Raises an `Error` with the code ``too_large`` where one is not from
+        -128 to 127."""
+        return self._mesh.neighbor_offsets
 
     def neighbor_list(self, quantities: str = "ijdDSA") -> typing.Any:
         """Pairs of Voronoi cells that touch, with the facet between them, sorted by i, j and S.
@@ -211,7 +223,7 @@ class PeriodicDelaunay:
     @property
     def nsimplex(self) -> int:
         """int: rows of `simplices`."""
-        return self._mesh.simplices
+        return self._mesh.cells
 
     @property
     def strategy(self) -> str:
@@ -224,17 +236,40 @@ class PeriodicDelaunay:
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def __repr__(self) -> str:
+        if not hasattr(self, "_mesh"):
+            return f"<{type(self).__name__}: not initialised>"
         n = self.npoints
         return f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in a box in {self.ndim}D>"
 
-    def __reduce__(self) -> tuple[typing.Any, ...]:
-        return type(self), (self.points, self.box, self._threads)
+    # Format 1. What versions before pickled, points and a rounded box, are arguments of the constructor.
+    def __getstate__(self) -> dict[str, typing.Any]:
+        more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
+        vectors, places, images = self._mesh.state()
+        return {"format": 1, "vectors": vectors, "places": places, "images": images, "more": more}
+
+    def __setstate__(self, state: dict[str, typing.Any]) -> None:
+        if not isinstance(state, dict) or not {"format", "vectors", "places", "images", "more"} <= state.keys():
+            raise Error(f"state must be that of a pickled PeriodicDelaunay, not {_arguments.described(state)}",
+                        "bad_input")
+        if state["format"] != 1:
+            raise Error("state was pickled by another version of annulus: format "
+                        f"{_arguments.described(state['format'])}", "bad_input")
+        places, more = state["places"], state["more"]
+        kind = _core.Periodic2 if places.shape[1] == 2 else _core.Periodic3
+        self._mesh = kind.build_again(state["vectors"], places, state["images"], more["_threads"])
+        self.__dict__.update(more)
 
 
 def _plain(points: ArrayLike) -> np.ndarray[typing.Any, typing.Any]:
-    """Positions as an array. Whatever box their object has, the one that is given counts."""
+    """Positions as an array. Whatever box their object has, the one that is given counts, but its flags do not agree
+    with that if one is not set."""
     if type(points) is np.ndarray:
         return points
+    flags = None if isinstance(points, (list, tuple)) else _arguments.periodic_directions(points)
+    if flags is not None and not all(flags):
+        raise NotAvailableError(f"the points are an object with {list(map(int, flags))} as flags of its periodic "
+                                "directions, but with box= all are periodic: give its array of positions if they shall "
+                                "be")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OpenBoundariesWarning)
         return _arguments.array_of(points, "points")

@@ -5,6 +5,7 @@
 #include <module/finalizing.h>
 #include <module/parts.h>
 #include <module/process_mutex.h>
+#include <module/report.h>
 
 #include <annulus/periodic_mesh.h>
 
@@ -57,21 +58,43 @@ py::array bytes_of(const std::vector<std::array<Shift<d>, corners>>& shifts) {
     return give(std::move(bytes), {m, static_cast<py::ssize_t>(corners), d});
 }
 
+template <int d>
+Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& places, const py::object& images) {
+    const Points_in<d> x(places, "places");
+    const auto k = whole_numbers_of(images, "images");
+    if (k.ndim() != 2 || k.shape(0) != static_cast<py::ssize_t>(x.span().size()) || k.shape(1) != d)
+        throw Error(Error_code::wrong_size, "images must have a row for each place, not the shape " + shape_of(k));
+    Saved_periodic_mesh<d> saved{vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}};
+    saved.images.resize(saved.places.size());
+    for (std::size_t i = 0; i < saved.images.size(); ++i)
+        for (std::size_t c = 0; c < d; ++c) {
+            const std::int64_t image = k.data()[d * i + c];
+            if (!std::in_range<std::int32_t>(image))
+                throw Error(Error_code::bad_input, "an image of " + std::to_string(image) + " boxes is too far away");
+            saved.images[i][c] = static_cast<std::int32_t>(image);
+        }
+    return saved;
+}
+
 /// A Periodic_mesh that threads of Python may share: a thread that computes holds the lock and not the GIL.
 template <int d>
 class Periodic {
   public:
     Periodic(const py::object& points, const py::object& box, int threads)
         : mesh_(built(Points_in<d>(points), vectors_of<d>(box), threads)) {}
+    Periodic(const Saved_periodic_mesh<d>& saved, int threads) : mesh_(built(saved, threads)) {}
 
-    void move(const py::object& points, const py::object& box) {
+    Report move(const py::object& points, const py::object& box) {
         const Points_in<d> x(points);
-        if (box.is_none()) {
-            locked([&] { mesh_.move_all(x.span()); });
-        } else {
-            const auto vectors = vectors_of<d>(box);
-            locked([&] { mesh_.move_all(x.span(), Box<d>(vectors)); });
-        }
+        if (box.is_none()) return report(locked([&] { return mesh_.move_all(x.span()); }));
+        const auto vectors = vectors_of<d>(box);
+        return report(locked([&] { return mesh_.move_all(x.span(), Box<d>(vectors)); }));
+    }
+    /// Vectors, places and images.
+    py::tuple state() const {
+        Saved_periodic_mesh<d> s = locked([&] { return mesh_.saved(); });
+        return py::make_tuple(give_rows(std::vector(s.vectors.begin(), s.vectors.end())),
+                              give_rows(std::move(s.places)), give_rows(std::move(s.images)));
     }
     py::array points() const {
         return give_rows(locked([&] { return std::vector(mesh_.points().begin(), mesh_.points().end()); }));
@@ -80,11 +103,17 @@ class Periodic {
         const auto vectors = locked([&] { return mesh_.box().vectors(); });
         return give_rows(std::vector(vectors.begin(), vectors.end()));
     }
-    py::tuple cells() const {
-        Periodic_cells<d> c = locked([&] { return mesh_.cells(); });
-        py::array offsets = bytes_of<d>(c.offsets), translations = bytes_of<d>(c.translations);
-        return py::make_tuple(give_rows(std::move(c.vertices)), std::move(offsets), give_rows(std::move(c.neighbours)),
-                              std::move(translations));
+    py::array simplices() const {
+        return give_rows(locked([&] { return mesh_.cells().vertices; }));
+    }
+    py::array neighbors() const {
+        return give_rows(locked([&] { return mesh_.cells().neighbours; }));
+    }
+    py::array simplex_offsets() const {
+        return bytes_of<d>(locked([&] { return mesh_.cells().offsets; }));
+    }
+    py::array neighbor_offsets() const {
+        return bytes_of<d>(locked([&] { return mesh_.cells().translations; }));
     }
     py::tuple neighbours() const {
         Periodic_neighbours<d> n = locked([&] { return mesh_.neighbours(); });
@@ -103,7 +132,7 @@ class Periodic {
     std::size_t vertices() const {
         return locked([&] { return mesh_.number_of_vertices(); });
     }
-    std::size_t simplices() const {
+    std::size_t cells() const {
         return locked([&] { return mesh_.number_of_cells(); });
     }
 
@@ -112,6 +141,11 @@ class Periodic {
         const Without_gil without_gil;
         return Periodic_mesh<d>(points.span(), Box<d>(vectors), {.threads = threads});
     }
+    static Periodic_mesh<d> built(const Saved_periodic_mesh<d>& saved, int threads) {
+        const Without_gil without_gil;
+        return Periodic_mesh<d>(saved, {.threads = threads});
+    }
+    static Report report(Move_result result) { return Report(std::move(result), d, false); }
     template <class Call>
     auto locked(Call call) const {
         const Without_gil without_gil;
@@ -129,16 +163,24 @@ void add_periodic_mesh(py::module_& m, const char* name) {
     py::class_<P>(m, name, not_by_new())
         .def_static("build", [](const py::object& points, const py::object& box,
                                 int threads) { return std::make_unique<P>(points, box, threads); })
+        .def_static("build_again",
+                    [](const py::object& vectors, const py::object& places, const py::object& images, int threads) {
+                        return std::make_unique<P>(saved_of<d>(vectors, places, images), threads);
+                    })
+        .def("state", &P::state)
         .def("move", &P::move)
-        .def("cells", &P::cells)
         .def("neighbours", &P::neighbours)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi_volumes", &P::voronoi_volumes)
         .def("audit", &P::audit)
         .def_property_readonly("points", &P::points)
         .def_property_readonly("box", &P::box)
+        .def_property_readonly("simplices", &P::simplices)
+        .def_property_readonly("simplex_offsets", &P::simplex_offsets)
+        .def_property_readonly("neighbors", &P::neighbors)
+        .def_property_readonly("neighbor_offsets", &P::neighbor_offsets)
         .def_property_readonly("vertices", &P::vertices)
-        .def_property_readonly("simplices", &P::simplices);
+        .def_property_readonly("cells", &P::cells);
 }
 
 }  // namespace

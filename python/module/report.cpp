@@ -155,7 +155,10 @@ py::object Report::simplices(const std::vector<Index>& vertices) const {
 
 void Report::require_lists() const {
     if (!lists_changes_)
-        throw Error(Error_code::usage, "simplices and edges that changed are listed with report_changes=True only");
+        throw Error(
+            Error_code::usage,
+            "simplices and edges that changed are listed with report_changes=True only, and not with a periodic "
+            "box");
 }
 
 py::object Report::listed(const std::vector<Index>& vertices) const {

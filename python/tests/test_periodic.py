@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """MovingDelaunay with a box: crystals, lists, moves, errors, and what is not there yet."""
 
+import contextlib
 import copy
 import pickle
 import warnings
@@ -73,7 +74,11 @@ def test_simplices_with_offsets_are_positive_fill_the_box_and_meet(d):
 def test_moves_change_points_and_box_and_failed_ones_change_nothing():
     x = points(50)
     dt = annulus.MovingDelaunay(x, box=[1, 1, 1])
-    assert dt.move(x + 0.7) is None
+    result = dt.move(x + 0.7)
+    assert isinstance(result, annulus.MoveResult) and (result.asked, result.rebuilt) == (50, 50)
+    with pytest.raises(annulus.Error, match="not with a periodic box") as caught:
+        result.changed_simplices
+    assert caught.value.code == "usage" and pickle.loads(pickle.dumps(result)).rebuilt == 50
     assert np.allclose(dt.points, x + 0.7)
     dt.move(x @ TILTED, box=TILTED)
     fresh = annulus.MovingDelaunay(x @ TILTED, box=TILTED)
@@ -112,11 +117,50 @@ def test_few_points_and_none():
     assert repr(annulus.MovingDelaunay(points(1), box=[1, 1, 1])) == "<PeriodicDelaunay: 1 vertex in a box in 3D>"
 
 
-def test_copies_and_pickles_are_the_same():
-    dt = annulus.MovingDelaunay(3 * points(20), box=TILTED)
-    for other in (pickle.loads(pickle.dumps(dt)), copy.deepcopy(dt)):
-        assert np.array_equal(other.simplices, dt.simplices)
-        assert np.array_equal(other.simplex_offsets, dt.simplex_offsets)
+def arrays_of(dt):
+    out = [dt.points, dt.box, dt.simplices, dt.neighbors, *dt.neighbor_list(), dt.voronoi_volumes(),
+           *dt._mesh.state()]
+    with contextlib.suppress(annulus.Error):  # offsets that do not fit
+        out += [dt.simplex_offsets, dt.neighbor_offsets]
+    return out
+
+
+@pytest.mark.parametrize("points, box", [
+    (3 * points(20), TILTED),
+    (points(20) + 1e6 * np.arange(20)[:, None], [.3, .7, 1.1]),  # far beyond eight boxes
+    ([[0.09999999999811848, 0.04999999999999982], [30000.1, 0.05]], [.3, .3]),  # rounded, they are one point
+    (points(9) @ (np.eye(3) + 1 / 3), np.eye(3) + 1 / 3),
+    (points(0, 2), [.1, .1])])
+def test_copies_and_pickles_are_the_same_bit_for_bit(points, box):
+    dt = annulus.MovingDelaunay(np.array(points), box=box, threads=2)
+    dt.note = "mine"
+    for other in (pickle.loads(pickle.dumps(dt)), copy.deepcopy(dt), copy.copy(dt),
+                  pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(dt, 2))))):
+        assert type(other) is annulus.PeriodicDelaunay and other.note == "mine" and other._threads == 2
+        ours, theirs = arrays_of(dt), arrays_of(other)
+        assert len(ours) == len(theirs)
+        for one, two in zip(ours, theirs):
+            assert one.dtype == two.dtype and one.tobytes() == two.tobytes()
+
+
+def test_pickles_of_versions_before_are_read_and_wrong_states_refused():
+    dt = annulus.MovingDelaunay(points(20), box=TILTED)
+
+    class Old:
+        def __reduce__(self):
+            return annulus.PeriodicDelaunay, (dt.points, dt.box, 1)
+
+    assert np.array_equal(pickle.loads(pickle.dumps(Old())).points, dt.points)
+    state = dt.__getstate__()
+    new = annulus.PeriodicDelaunay.__new__
+    for change in ({"format": 2}, {"places": dt.points + 5}, {"places": dt.points + 1e-17},
+                   {"images": np.full((20, 3), 2**30)}, {"images": np.full((20, 3), 2**40)},
+                   {"images": np.zeros((19, 3), int)}, {"vectors": np.zeros((3, 3))}):
+        with pytest.raises(annulus.Error):
+            new(annulus.PeriodicDelaunay).__setstate__(state | change)
+    with pytest.raises(annulus.Error, match="state must be"):
+        new(annulus.PeriodicDelaunay).__setstate__({"format": 1})
+    assert repr(new(annulus.PeriodicDelaunay)) == "<PeriodicDelaunay: not initialised>"
 
 
 def test_points_that_are_far_away_have_right_lists_and_offsets_that_do_not_fit_are_refused():
@@ -125,10 +169,41 @@ def test_points_that_are_far_away_have_right_lists_and_offsets_that_do_not_fit_a
     dt = annulus.MovingDelaunay(far, box=[1, 1, 1])
     i, j, D, S = dt.neighbor_list("ijDS")
     assert np.allclose(D, far[j] - far[i] + S, atol=1e-9)
-    assert dt.audit()
-    with pytest.raises(annulus.Error, match="does not fit int8") as caught:
-        dt.simplex_offsets
-    assert caught.value.code == "too_large"
+    assert dt.audit() and dt.simplices.shape == dt.neighbors.shape == (dt.nsimplex, 4)
+    for name in ("simplex_offsets", "neighbor_offsets"):
+        with pytest.raises(annulus.Error, match="does not fit int8") as caught:
+            getattr(dt, name)
+        assert caught.value.code == "too_large"
+    for apart, fits in ((126, True), (127, False)):
+        two = annulus.MovingDelaunay([[.25, .25], [.75 + apart, .5]], box=[1, 1])
+        assert hasattr(two, "simplices")
+        if fits:
+            assert two.simplex_offsets.max() == 127
+        else:
+            with pytest.raises(annulus.Error, match="128 boxes does not fit"):
+                two.simplex_offsets
+
+
+def test_thin_boxes_off_the_axes_are_right_or_refused():
+    thin = [[0.9771616619466469, 0.21249726215099116], [-2.1249726215099115e-09, 9.77161661946647e-09]]
+    with pytest.raises(annulus.Error, match="too thin") as caught:
+        annulus.MovingDelaunay([[0., 0.]], box=thin)
+    assert caught.value.code == "usage"
+    thick = np.array([thin[0], 100 * np.array(thin[1])])
+    assert annulus.MovingDelaunay([[0., 0.]], box=thick).audit()
+
+
+def test_flags_of_an_object_have_to_agree_with_the_box():
+    for flags in ([True, True, False], [False] * 3, [1, 1, 0]):
+        slab = Thing(positions=FCC, cell=np.eye(3), pbc=np.array(flags))
+        with pytest.raises(annulus.NotAvailableError, match="give its array of positions"):
+            annulus.MovingDelaunay(slab, box=slab.cell)
+        dt = annulus.MovingDelaunay(slab.positions, box=slab.cell)
+        with pytest.raises(annulus.NotAvailableError, match="all are periodic"):
+            dt.move(slab)
+    ovito = Thing(particles=Thing(positions=FCC), cell=Thing(pbc=(True, True, False)))
+    with pytest.raises(annulus.NotAvailableError):
+        annulus.MovingDelaunay(ovito, box=[1, 1, 1])
 
 
 def test_what_is_not_there_yet_says_so():
@@ -138,6 +213,7 @@ def test_what_is_not_there_yet_says_so():
             getattr(dt, name)
         with pytest.raises(NotImplementedError):
             getattr(dt, name)
+        assert not hasattr(dt, name) and getattr(dt, name, 7) == 7
     for options in ({"strategy": "tolerances"}, {"tolerance": "paper", "strategy": "paper"},
                     {"merge_duplicates": True}):
         with pytest.raises(annulus.NotAvailableError):

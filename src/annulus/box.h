@@ -26,8 +26,10 @@ class Box {
     /// A box with these vectors. Throws Error: not_finite and out_of_domain for coordinates (no vector may extend
     /// beyond 2^150 along an axis, nor the box less than 2^-150); usage where the vectors span no volume, or after
     /// rounding to their grid none (docs/periodic.md); where the box is too skewed, that is a coordinate of a vector is
-    /// more than eight times the extent of a reduced box of the same lattice along that axis; and where it is so thin
-    /// across the axes, a millionth of a millionth, that doubles have no coordinates in it. O(1), some microseconds.
+    /// more than eight times the extent of a reduced box of the same lattice along that axis, or a reduced box takes a
+    /// vector more than 64 times; and where it is too thin in a direction that is not along an axis: between 1e-7 and
+    /// 1e-9 of its length, for then the rounded vectors are those of another lattice. Along the axes it may be as thin
+    /// as it likes. O(1), 7 microseconds in 2D and 20 in 3D.
     explicit Box(const Vectors& vectors);
     /// A box with edges of these lengths along the axes. Throws as the constructor does. A negative length is that of
     /// an edge in the other direction.

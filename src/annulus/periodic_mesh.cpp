@@ -32,6 +32,19 @@ struct Periodic_state {
         }
     }
 
+    explicit Periodic_state(const Saved_periodic_mesh<d>& saved)
+        : lattice(saved.vectors), rounded_box(lattice.box()), place(saved.places), image(saved.images) {
+        if (image.size() != place.size()) throw Error(Error_code::bad_input, "not every saved place has an image");
+        given.reserve(place.size());
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            const Representative<d> r{place[i], image[i]};
+            if (!lattice.is_representative(r))
+                throw Error(Error_code::bad_input, "saved place " + std::to_string(i) + " is none of the saved box",
+                            {static_cast<std::int64_t>(i)});
+            given.push_back(lattice.imaged(r));
+        }
+    }
+
     /// The offset by vectors of the box, between representatives, or, less the images, between given points.
     [[nodiscard]] Shift<d> shift(Image<d> s, bool of_given) const {
         Shift<d> o = lattice.in_box(s.label);
@@ -89,14 +102,17 @@ Periodic_cells<d> listed(const Periodic_state<d>& state, bool of_given) {
 template <int d>
 struct Periodic_mesh<d>::Parts {
     Parts(std::span<const Point> points, const Box<d>& box, const Periodic_options& chosen)
-        : options(chosen), state(built(points, box)) {}
+        : options(chosen), state(built(points.size(), points, box)) {}
+    Parts(const Saved_periodic_mesh<d>& saved, const Periodic_options& chosen)
+        : options(chosen), state(built(saved.places.size(), saved)) {}
 
-    Periodic_state<d> built(std::span<const Point> points, const Box<d>& box) {
+    template <class... Of>
+    Periodic_state<d> built(std::size_t points, const Of&... of) {
         require_sound_environment();
         if (options.threads < 1) throw Error(Error_code::usage, "threads must be 1 or more");
-        if (points.size() > Limits::vertices)
+        if (points > Limits::vertices)
             throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " points");
-        Periodic_state<d> next(points, box);
+        Periodic_state<d> next(of...);
         builder.build(next.lattice, next.place, options.threads, next.table);
         return next;
     }
@@ -110,6 +126,9 @@ template <int d>
 Periodic_mesh<d>::Periodic_mesh(std::span<const Point> points, const Box<d>& box, const Periodic_options& options)
     : parts_(std::make_unique<Parts>(points, box, options)) {}
 template <int d>
+Periodic_mesh<d>::Periodic_mesh(const Saved_periodic_mesh<d>& saved, const Periodic_options& options)
+    : parts_(std::make_unique<Parts>(saved, options)) {}
+template <int d>
 Periodic_mesh<d>::~Periodic_mesh() = default;
 template <int d>
 Periodic_mesh<d>::Periodic_mesh(Periodic_mesh&&) noexcept = default;
@@ -117,11 +136,14 @@ template <int d>
 Periodic_mesh<d>& Periodic_mesh<d>::operator=(Periodic_mesh&&) noexcept = default;
 
 template <int d>
-void Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
+Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
     if (points.size() != number_of_vertices())
         throw Error(Error_code::wrong_size, std::to_string(points.size()) + " positions for " +
                                                 std::to_string(number_of_vertices()) + " vertices");
-    parts_->state = parts_->built(points, box);
+    parts_->state = parts_->built(points.size(), points, box);
+    Move_result result;
+    result.moves.asked = result.moves.rebuilt = points.size();
+    return result;
 }
 
 template <int d>
@@ -186,6 +208,11 @@ std::vector<double> Periodic_mesh<d>::voronoi_volumes() const {
 template <int d>
 const Periodic_options& Periodic_mesh<d>::options() const {
     return parts_->options;
+}
+template <int d>
+Saved_periodic_mesh<d> Periodic_mesh<d>::saved() const {
+    const Periodic_state<d>& state = parts_->state;
+    return {state.lattice.given(), state.place, state.image};
 }
 
 template class Periodic_mesh<2>;

@@ -4,6 +4,7 @@
 #include <annulus/audit.h>
 #include <annulus/box.h>
 #include <annulus/error.h>
+#include <annulus/move_result.h>
 #include <annulus/periodic_cells.h>
 #include <annulus/types.h>
 
@@ -17,6 +18,14 @@ namespace annulus::inline v1 {
 /// What a caller can choose of a periodic mesh.
 struct Periodic_options {
     int threads = 1;  ///< of a build: 1 or more, else Error(usage); the triangulation does not depend on it
+};
+
+/// What a periodic mesh is made of, exactly: a mesh made of it is the same, bit for bit, wherever its points are.
+template <int d>
+struct Saved_periodic_mesh {
+    typename Box<d>::Vectors vectors;    ///< of the box as it was given, not rounded
+    std::vector<Coordinates<d>> places;  ///< Periodic_mesh::places
+    std::vector<Shift<d>> images;        ///< Periodic_mesh::images, as many
 };
 
 /// The Delaunay triangulation of points in a periodic box, which moves with them: of all their translates by the
@@ -38,16 +47,19 @@ class Periodic_mesh {
     /// away; duplicate_point, naming two points that are, rounded, images of one another; too_large; usage;
     /// environment; and what new throws.
     Periodic_mesh(std::span<const Point> points, const Box<d>& box, const Periodic_options& options = {});
+    /// The mesh that was saved. Throws bad_input where a place is not on the grid of the box or not in it, an image is
+    /// more than 2^29 boxes away, or there are not as many images as places; and what the other constructor throws.
+    explicit Periodic_mesh(const Saved_periodic_mesh<d>& saved, const Periodic_options& options = {});
     ~Periodic_mesh();
     /// A moved-from object can only be destroyed or assigned to. O(1).
     Periodic_mesh(Periodic_mesh&&) noexcept;
     Periodic_mesh& operator=(Periodic_mesh&&) noexcept;
 
-    /// Moves all points, in the order of their indices; any image of each. Throws what the constructor throws, and
-    /// wrong_size unless there are as many as before.
-    void move_all(std::span<const Point> points) { move_all(points, box()); }
+    /// Moves all points, in the order of their indices; any image of each. All are `rebuilt` in the result, which lists
+    /// no cells. Throws what the constructor throws, and wrong_size unless there are as many as before.
+    Move_result move_all(std::span<const Point> points) { return move_all(points, box()); }
     /// The same in another box: of any shape, in another basis of the same lattice, too.
-    void move_all(std::span<const Point> points, const Box<d>& box);
+    Move_result move_all(std::span<const Point> points, const Box<d>& box);
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     /// The box with its vectors rounded to the grid.
@@ -85,6 +97,8 @@ class Periodic_mesh {
     [[nodiscard]] Periodic_audit_input<d> audit_input() const;
 
     [[nodiscard]] const Periodic_options& options() const;
+    /// What makes the same mesh again. O(n).
+    [[nodiscard]] Saved_periodic_mesh<d> saved() const;
 
   private:
     struct Parts;

@@ -94,7 +94,8 @@ void expect_one_triangulation(std::uint64_t seed, int kind, std::size_t n) {
     CHECK(edges_of(Periodic_mesh<d>(renamed, box), number) == edges);
     // After moves.
     Periodic_mesh<d> walker(cases.points<d>(box, n), cases.box<d>(1));
-    walker.move_all(moved, box);
+    const Move_result result = walker.move_all(moved, box);
+    CHECK((result.moves.asked == n && result.moves.rebuilt == n && result.changed.empty()));
     CHECK(edges_of(walker) == edges);
 }
 
@@ -182,6 +183,36 @@ TEST_CASE("What is given back is taken as it is", "[kernel][periodic]") {
         mesh.move_all(points, Box<3>(mesh.box().vectors()));
         CHECK(state_of(mesh) == before);
     }
+}
+
+TEST_CASE("A saved mesh is the same, bit for bit, and wrong ones are refused", "[kernel][periodic]") {
+    Periodic_cases cases(7);
+    for (int kind = 0; kind < Periodic_cases::kinds; ++kind)
+        for (const double far : {2.0, 1e6}) {
+            CAPTURE(kind, far);
+            const Box<3> box = cases.box<3>(kind);
+            const Periodic_mesh<3> mesh(cases.points<3>(box, 20, far), box);
+            const Periodic_mesh<3> again(mesh.saved());
+            CHECK(state_of(again) == state_of(mesh));
+            CHECK(std::equal(mesh.places().begin(), mesh.places().end(), again.places().begin(), again.places().end()));
+            CHECK(std::equal(mesh.images().begin(), mesh.images().end(), again.images().begin(), again.images().end()));
+            CHECK(again.saved().vectors == box.vectors());
+        }
+    // Rounded to doubles, these points are images of each other.
+    const Box<2> box = Box<2>::orthorhombic({.3, .3});
+    const Periodic_mesh<2> mesh(
+        std::vector<Coordinates<2>>{{0.09999999999811848, 0.04999999999999982}, {30000.1, 0.05}}, box);
+    CHECK(state_of(Periodic_mesh<2>(mesh.saved())) == state_of(mesh));
+    const auto expect_refused = [&](auto change) {
+        Saved_periodic_mesh<2> saved = mesh.saved();
+        change(saved);
+        CHECK(error_of([&] { (void)Periodic_mesh<2>(saved); }).code() == Error_code::bad_input);
+    };
+    expect_refused([](auto& s) { s.images.pop_back(); });
+    expect_refused([](auto& s) { s.images[1][0] = 1 << 30; });
+    expect_refused([](auto& s) { s.places[1][0] += 0.6; });
+    expect_refused([](auto& s) { s.places[1][0] += 0x1p-54; });
+    expect_refused([](auto& s) { s.places[1][0] = std::numeric_limits<double>::quiet_NaN(); });
 }
 
 TEST_CASE("A call that fails leaves a periodic mesh as it was, and names vertices", "[kernel][periodic]") {

@@ -48,6 +48,31 @@ class Periodic_cases {
         return Box<d>(v);
     }
 
+    /// Vectors of which the last ones are `thin` times as long as the first ones, along the axes.
+    template <int d>
+    [[nodiscard]] typename Box<d>::Vectors thin(int thin_vectors, double thin) {
+        typename Box<d>::Vectors v = box<d>(4).vectors();
+        const auto first = static_cast<std::size_t>(d - thin_vectors);
+        for (std::size_t j = first; j < d; ++j)
+            for (std::size_t i = 0; i < d; ++i) v[j][i] *= i < first ? 0 : thin;
+        for (std::size_t i = 0; i < d; ++i) v[0][i] += uniform(-0.4, 0.4) * v[d - 1][i];
+        return v;
+    }
+    /// The vectors turned by random angles.
+    template <int d>
+    [[nodiscard]] typename Box<d>::Vectors turned(typename Box<d>::Vectors box) {
+        for (std::size_t i = 0; i < d; ++i) {
+            const std::size_t k = (i + 1) % d;
+            const double angle = uniform(-3, 3), c = std::cos(angle), s = std::sin(angle);
+            for (auto& v : box) {
+                const double x = v[i];
+                v[i] = c * x - s * v[k];
+                v[k] = s * x + c * v[k];
+            }
+        }
+        return box;
+    }
+
     /// A point with coordinates up to `far` in the box's vectors.
     template <int d>
     [[nodiscard]] Coordinates<d> point(const Box<d>& box, double far) {

@@ -78,19 +78,17 @@ void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coord
     if (place.empty()) return;
     const Coordinates<d> heights = lattice.heights();
     const double spacing = mean_spacing<d>(lattice.volume(), heights, place.size());
-    double limit = 1;  // in reaches; in a box as thin as its grid these are not accurate
     for (double width = first_collar[d] * spacing;; width *= wider) {
         ++attempts_;
         Coordinates<d> collar;
         bool widest = true;
         for (std::size_t i = 0; i < d; ++i) {
-            collar[i] = std::min(width / heights[i], limit * lattice.reach()[i]);
-            widest = widest && collar[i] == limit * lattice.reach()[i];
+            collar[i] = std::min(width / heights[i], lattice.reach()[i]);
+            widest = widest && collar[i] == lattice.reach()[i];
         }
         copy_into(lattice, place, collar);
         if (triangulate_copies(threads) && keep_one_of_each(table) && is_proved_delaunay(table, lattice, place)) return;
-        if (widest && limit > 1) throw std::logic_error("a periodic triangulation was not proved: please report this");
-        if (widest) limit = 1.25;
+        if (widest) throw std::logic_error("a periodic triangulation was not proved: please report this");
     }
 }
 

@@ -6,12 +6,11 @@
 #include <annulus/arithmetic/wide_integer.h>
 #include <annulus/error.h>
 #include <annulus/space/dot.h>
+#include <annulus/space/reach.h>
 #include <annulus/space/selling.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -22,6 +21,7 @@ namespace {
 constexpr int bits = 49;                // of the grid: 2^bits units are the power of two above the extent
 constexpr double most_skew = 8;         // a coordinate of the box's vectors, in that power of two
 constexpr double nearly_reduced = 2.5;  // a reach that reduced bases do not exceed
+constexpr double still_reduced = 2.6;   // the same after rounding
 constexpr double most_images = 0x1p29;
 constexpr int most_exponent = 150;
 constexpr std::int64_t most_combined = 64;  // a factor of a vector of the box in one of the basis
@@ -53,32 +53,6 @@ Coordinates<d> combined(const std::array<std::int64_t, static_cast<std::size_t>(
     return sum;
 }
 
-/// Twice the largest coordinates in the basis, without sign, of the Voronoi cell of the lattice. Its vertices are the
-/// circumcentres of the simplices 0, v, v + w, .. for the orders v, w, .. of an obtuse superbase.
-template <int d>
-Coordinates<d> reach_of(const Vectors_of<d>& dual, const Superbase<d>& superbase, const Vectors_of<d>& box) {
-    std::array<std::size_t, static_cast<std::size_t>(d + 1)> order{};
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    Coordinates<d> reach{};
-    do {
-        // A centre c has c . y = |y|^2 / 2 for the other corners y.
-        Vectors_of<d> corner;
-        Coordinates<d> y{};
-        for (std::size_t k = 0; k < d; ++k) {
-            const Coordinates<d> v = combined<d>(superbase[order[k]], box);
-            for (std::size_t i = 0; i < d; ++i) y[i] += v[i];
-            corner[k] = y;
-        }
-        const Vectors_of<d> rows = dual_of<d>(corner);
-        Coordinates<d> centre{};
-        for (std::size_t k = 0; k < d; ++k)
-            for (std::size_t i = 0; i < d; ++i) centre[i] += rows[k][i] * (dot<d>(corner[k], corner[k]) / 2);
-        for (std::size_t j = 0; j < d; ++j) reach[j] = std::max(reach[j], 2 * std::fabs(dot<d>(dual[j], centre)));
-    } while (std::next_permutation(order.begin(), order.end()));
-    for (double& r : reach) r += 1e-6 * (1 + r);
-    return reach;
-}
-
 [[noreturn]] void throw_skewed() {
     throw Error(Error_code::usage,
                 "the box is too skewed: a vector is more than eight times as long along an axis as "
@@ -86,7 +60,14 @@ Coordinates<d> reach_of(const Vectors_of<d>& dual, const Superbase<d>& superbase
 }
 
 [[noreturn]] void throw_thin() {
-    throw Error(Error_code::usage, "the box is too thin: coordinates in it have no digits left in doubles");
+    throw Error(Error_code::usage,
+                "the box is too thin in a direction that is not along an axis: its vectors, rounded to 2^-49 of its "
+                "extents, are another lattice's. Down to a millionth of its length any direction is possible");
+}
+
+template <int d>
+bool is_reduced(const Coordinates<d>& reach, double limit) {
+    return std::all_of(reach.begin(), reach.end(), [limit](double r) { return r <= limit; });
 }
 
 template <int d>
@@ -120,6 +101,12 @@ double rounded(double x, double grid) {
     return static_cast<double>(sum.nearest()) * grid;
 }
 
+/// Whether a place with these coordinates in the basis is in its cell, up to half a vector.
+template <int d>
+bool is_near(const Coordinates<d>& f) {
+    return std::all_of(f.begin(), f.end(), [](double c) { return c >= -0.5 && c < 1.5; });
+}
+
 template <int d>
 int sign_of_determinant(const Vectors_of<d>& box) {
     std::vector<double> numbers;
@@ -140,19 +127,12 @@ Lattice<d>::Lattice(const Vectors& box) : given_(box) {
         to_box_[j] = {};
         to_box_[j][j] = 1;
     }
-    reach_ = reach_of<d>(dual_of<d>(box), superbase, box);
-    if (!std::all_of(reach_.begin(), reach_.end(), [](double r) { return r <= nearly_reduced; })) {
+    if (!is_reduced<d>(reach_of<d>(superbase, box), nearly_reduced))
         std::copy_n(superbase.begin() + 1, d, to_box_.begin());
-    }
-    for (std::size_t j = 0; j < d; ++j) {
-        for (const std::int64_t factor : to_box_[j])
-            if (std::abs(factor) > most_combined) throw_skewed();
-        basis_[j] = combined<d>(to_box_[j], box);
-    }
-    reach_ = reach_of<d>(dual_of<d>(basis_), superbase, box);
+    for (std::size_t j = 0; j < d; ++j) basis_[j] = combined<d>(to_box_[j], box);
     choose_grid();
-    for (const double r : reach_)
-        if (!(r <= nearly_reduced + 0.1)) throw_thin();
+    round_box();
+    require_combinations();
     const int handed = sign_of_determinant<d>(box_);
     if (handed == 0 || handed != sign_of_determinant<d>(given_))
         throw Error(Error_code::usage, "the vectors of the box, rounded to 2^-49 of its extents, span no volume");
@@ -170,6 +150,38 @@ Lattice<d>::Lattice(const Vectors& box) : given_(box) {
             to_box_[d - 1][i] = -to_box_[d - 1][i];
         }
     dual_ = dual_of<d>(basis_);
+    choose_reach();
+}
+
+/// A factor is large where the box is skewed, and where rounding it to doubles already has made another lattice of it.
+template <int d>
+void Lattice<d>::require_combinations() const {
+    const auto is_large = [](std::int64_t factor) { return factor > most_combined || factor < -most_combined; };
+    if (std::none_of(to_box_.begin(), to_box_.end(),
+                     [&](const auto& row) { return std::any_of(row.begin(), row.end(), is_large); }))
+        return;
+    Vectors coarse = basis_;
+    for (auto& v : coarse)
+        for (std::size_t i = 0; i < d; ++i) v[i] = rounded(v[i], grid_[i]);
+    if (sign_of_determinant<d>(coarse) == 0 ||
+        !is_reduced<d>(reach_of<d>(obtuse_superbase<d>(coarse), coarse), still_reduced))
+        throw_thin();
+    throw Error(Error_code::usage,
+                "the box is too skewed: a reduced box of its lattice takes one of its vectors more than " +
+                    std::to_string(most_combined) + " times; reduce it first");
+}
+
+/// Of the rounded lattice. In a box that is thin in a direction that is no axis the rounded basis may be far from
+/// reduced. The margin is for in_basis, in which places are compared with it.
+template <int d>
+void Lattice<d>::choose_reach() {
+    reach_ = reach_of<d>(obtuse_superbase<d>(basis_), basis_);
+    for (std::size_t j = 0; j < d; ++j) {
+        double terms = 0;  // a place's coordinates are below 2^50.6 units of the grid
+        for (std::size_t i = 0; i < d; ++i) terms += std::fabs(dual_[j][i]) * std::ldexp(grid_[i], 51);
+        reach_[j] += 0x1p-45 * (1 + terms);
+        if (!(reach_[j] <= still_reduced)) throw_thin();
+    }
 }
 
 /// Of the unrounded basis; rounded it may need the next power of two, so that box() given again has the same grid or a
@@ -185,11 +197,16 @@ void Lattice<d>::choose_grid() {
         int exponent = std::ilogb(extent) + 1;
         if (extent > std::ldexp(1 - 0x1p-45, exponent)) ++exponent;
         grid_[i] = std::ldexp(1.0, exponent - bits);
-        for (std::size_t j = 0; j < d; ++j) {
-            if (std::fabs(given_[j][i]) > std::ldexp(most_skew, exponent)) throw_skewed();
+    }
+}
+
+template <int d>
+void Lattice<d>::round_box() {
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) {
+            if (std::fabs(given_[j][i]) > std::ldexp(most_skew * grid_[i], bits)) throw_skewed();
             box_[j][i] = rounded(given_[j][i], grid_[i]);
         }
-    }
 }
 
 template <int d>
@@ -247,7 +264,7 @@ Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64
     Coordinates<d> left = p;
     for (int turn = 0; turn < 8; ++turn) {
         const Coordinates<d> f = in_basis(left);
-        if (turn > 0 && std::all_of(f.begin(), f.end(), [](double c) { return c >= -0.5 && c < 1.5; })) return r;
+        if (turn > 0 && is_near<d>(f)) return r;
         for (std::size_t j = 0; j < d; ++j) {
             const double k = std::floor(f[j]);
             if (!(std::fabs(k) <= most_images)) break;
@@ -276,6 +293,16 @@ Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64
         left = r.place;
     }
     throw_thin();
+}
+
+template <int d>
+bool Lattice<d>::is_representative(const Representative<d>& r) const {
+    for (std::size_t i = 0; i < d; ++i) {
+        const double units = r.place[i] / grid_[i];
+        if (!(std::fabs(units) < 0x1p53) || std::floor(units) != units) return false;
+        if (std::fabs(static_cast<double>(r.image[i])) > most_images) return false;
+    }
+    return is_near<d>(in_basis(r.place));
 }
 
 template <int d>

@@ -32,6 +32,8 @@ class Lattice {
     /// Throws as the constructor of Box does.
     explicit Lattice(const Vectors& box);
 
+    /// The box's vectors as they were given.
+    [[nodiscard]] const Vectors& given() const { return given_; }
     /// The box's vectors, rounded to the grid.
     [[nodiscard]] const Vectors& box() const { return box_; }
     /// The basis L, right-handed, on the grid.
@@ -39,7 +41,7 @@ class Lattice {
     /// The unit of the grid on each axis, a power of two.
     [[nodiscard]] const Coordinates<d>& grid() const { return grid_; }
     /// How far the neighbours of a point are, at most: the coordinates in the basis of an edge of any Delaunay
-    /// triangulation with this lattice are at most these, with a margin for rounding (docs/theory.md 8.5).
+    /// triangulation with this lattice are at most these, with a margin for what in_basis rounds (docs/theory.md 8.5).
     [[nodiscard]] const Coordinates<d>& reach() const { return reach_; }
     /// det L, positive.
     [[nodiscard]] double volume() const;
@@ -58,11 +60,16 @@ class Lattice {
     /// is. Needs rounding to nearest. Throws Error: not_finite; out_of_domain where the point is more than 2^29 boxes
     /// away. The error names i.
     [[nodiscard]] Representative<d> representative(const Coordinates<d>& p, std::int64_t i) const;
+    /// Whether the place is on the grid and in the basis' cell, and the image at most 2^29 boxes away.
+    [[nodiscard]] bool is_representative(const Representative<d>& r) const;
     /// The double nearest to place + image . box, coordinate by coordinate: exactly that up to eight boxes away.
     [[nodiscard]] Coordinates<d> imaged(const Representative<d>& r) const;
 
   private:
     void choose_grid();
+    void require_combinations() const;
+    void round_box();
+    void choose_reach();
 
     Vectors given_;  // as it was given, unrounded
     Vectors box_;

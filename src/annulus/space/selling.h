@@ -16,10 +16,11 @@ using Superbase = std::array<std::array<std::int64_t, static_cast<std::size_t>(d
 
 /// Selling's algorithm, in integers: while v . w > 0 for two of the vectors, replace v by -v and add to the others but
 /// w what keeps the sum 0. Every step lowers the sum of the squared lengths, by 4 v . w in 2D and 2 v . w in 3D, and a
-/// lattice has finitely many vectors up to a given length, so it ends. The shortest vectors come last.
+/// lattice has finitely many vectors up to a given length, so it ends. Before that the basis is reduced in pairs by
+/// Euclid's algorithm, so that few steps are left, however skewed the box is. The shortest vectors come last.
 ///
-/// Throws Error(usage) where the rows of `box` span no volume, and where a thousand steps do not suffice: then the box
-/// is far too skewed for the grid.
+/// Throws Error(usage) where the rows of `box` span no volume, and where a combination has a factor of 2^63 or more:
+/// then the box is far too skewed for the grid.
 template <int d>
 [[nodiscard]] Superbase<d> obtuse_superbase(const typename Box<d>::Vectors& box);
 
