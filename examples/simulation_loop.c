@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loop of docs/c.md: a simulation in C99 that asks for volumes, neighbours and cells at each step. */
+/* The loop of docs/c.md: a simulation in C99 that computes volumes, neighbours and cells at each step. */
 #include <annulus/annulus.h>
 
 #include <stdio.h>

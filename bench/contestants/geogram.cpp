@@ -26,7 +26,7 @@ class Geogram final : public Contestant {
             throw std::runtime_error("geogram: too many points");
         delaunay_->set_vertices(static_cast<GEO::index_t>(x.size()), x.front().data());
     }
-    /// geogram drops infinite cells unless it is told to keep them.
+    /// geogram drops infinite cells unless an option keeps them.
     [[nodiscard]] std::size_t cells() const override { return delaunay_->nb_cells(); }
 
   private:

@@ -55,9 +55,9 @@ double peak_memory(Make_contestant make, const Points<3>& x) {
         _exit(0);
     }
     (void)close(ends[1]);
-    double told = 0.0;
+    double measured = 0.0;
     if (child > 0) {
-        if (read(ends[0], &told, sizeof told) == sizeof told) bytes = told;
+        if (read(ends[0], &measured, sizeof measured) == sizeof measured) bytes = measured;
         (void)waitpid(child, nullptr, 0);
     }
     (void)close(ends[0]);

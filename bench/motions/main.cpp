@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strategies and CGAL's rebuild on one motion, timed step by step in turn: nanoseconds per vertex and step, ratios of
 // the same step.
+#include "comparison.h"
 #include "crowd.h"
 #include "dynamics.h"
 #include "families.h"
-#include "race.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +24,7 @@ struct Choice {
     double spacings = 0.01;
     int every = 1;
     std::uint64_t seed = 1;
-    bench::Race race;
+    bench::Comparison comparison;
 };
 
 template <int d>
@@ -51,7 +51,7 @@ int run(const Choice& c, const std::string& file) {
     else
         std::snprintf(name, sizeof name, "%dD %-8s %-6s n=%zu s=%g", d, c.family.c_str(), c.motion.c_str(), c.points,
                       c.spacings);
-    const int failed = bench::race<d>(*motion, c.race, name, out);
+    const int failed = bench::compare<d>(*motion, c.comparison, name, out);
     bench::append(file, out);
     return failed == 0 ? 0 : 1;
 }
@@ -71,16 +71,16 @@ int main(int argc, char** argv) {
     app.add_option("-s,--spacings", choice.spacings, "root mean square displacement a step, in spacings");
     app.add_option("--every", choice.every, "dynamics, crowd: steps of integration between time steps")
         ->check(CLI::Range(1, 100000));
-    app.add_option("-k,--steps", choice.race.steps);
-    app.add_option("-w,--warm", choice.race.warm, "steps before those that count");
-    app.add_option("-t,--threads", choice.race.threads);
+    app.add_option("-k,--steps", choice.comparison.steps);
+    app.add_option("-w,--warm", choice.comparison.warm, "steps before those that count");
+    app.add_option("-t,--threads", choice.comparison.threads);
     app.add_option("--seed", choice.seed);
     app.add_option(
-           "--strategies", choice.race.strategies,
-           "of Moving_delaunay; STRATEGY:view asks for its triangulation() at each step; STRATEGY:mesh: Moving_mesh")
+           "--strategies", choice.comparison.strategies,
+           "of Moving_delaunay; STRATEGY:view calls its triangulation() at each step; STRATEGY:mesh: Moving_mesh")
         ->delimiter(',');
-    app.add_flag("!--no-audit", choice.race.audit);
-    app.add_flag("--audit-all", choice.race.audit_all, "after every step, not only the last");
+    app.add_flag("!--no-audit", choice.comparison.audit);
+    app.add_flag("--audit-all", choice.comparison.audit_all, "after every step, not only the last");
     app.add_option("--json", json, "file that a line is appended to");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -84,7 +84,7 @@ def audits(runs, names=("auto", "auto:view", "auto:mesh")):
     return "right" if all(r[name]["audit"] for r in runs for name in names if name in r) else "**WRONG**"
 
 
-HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | view asked | must | reached | aim | auto, ns | rebuild, ns | "
+HEAD = ["| | rebuild / auto | of runs | `Moving_mesh` | with view | must | reached | aim | auto, ns | rebuild, ns | "
         "most expensive step, in rebuilds | rebuilt | audit |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|"]
 

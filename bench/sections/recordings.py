@@ -5,7 +5,7 @@ from pathlib import Path
 
 from .measure import audits, in_order, middle, number, reached
 
-HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | view asked | must "
+HEAD = ["| | n | spacings a step | came or went a step | rebuild / auto | of runs | `Moving_mesh` | with view | must "
         "| reached | aim | median of steps | auto, ns | rebuild, ns "
         "| most expensive step, in rebuilds | rebuilt | audit |",
         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"]

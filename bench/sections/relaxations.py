@@ -21,11 +21,11 @@ WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, 
 
 def row(name, run, must, aim, motion_must, motion_aim):
     """One run of annulus-relaxations as a row."""
-    seconds = {who: run[who]["seconds"] for who in run if isinstance(run[who], dict)}
+    seconds = {name: run[s]["seconds"] for s in run if isinstance(run[s], dict)}
     ratio = seconds["cgal"] / seconds["auto"]
     motion = run["motion"] / seconds["cgal"]
     certified = round(seconds["paper"] / seconds["paper:floating"], 2)
-    right = run["agree"] and all(run[who]["audit"] for who in seconds if who != "cgal")
+    right = run["agree"] and all(run[s]["audit"] for s in seconds if s != "cgal")
     return (f"| {name} | {run['points']} | {run['displacement']:.2g} | {ratio:.1f} | {must} | {reached(ratio, must)} | "
             f"{aim} | {seconds['rebuild'] / seconds['auto']:.1f} "
             f"| {seconds['cgal']:.2f} | {seconds['auto']:.3f} | {run['motion']:.2f} | {motion:.2f} | {motion_must} | "
@@ -58,7 +58,7 @@ def nodt(bench):
                                     "relocate@20")[0]
         yield row(name, run, must, aim, 0.5, 0.2)
         each = run["tolerances-each"]["seconds"]
-        ratios = [run[who]["seconds"] / each for who in ("cgal", "rebuild", "relocate")]
+        ratios = [run[s]["seconds"] / each for s in ("cgal", "rebuild", "relocate")]
         single.append(f"| {name} | {ratios[0]:.1f} | 6 | {reached(ratios[0], 6)} | 10 | {ratios[1]:.1f} | "
                       f"{ratios[2]:.0f} | 40 | {reached(ratios[2], 40)} | 80 "
                       f"| {run['tolerances-each']['ns']:.0f} | {run['relocate']['ns']:.0f} | "

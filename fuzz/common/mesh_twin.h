@@ -56,7 +56,7 @@ class Mesh_twin {
         if (mesh_->index_bound() != sites.size()) return "mesh: index_bound()";
         for (std::size_t i = 0; i < sites.size(); ++i) {
             if (mesh_->is_vertex(static_cast<Index>(i)) != sites[i].has_value()) return "mesh: vertices";
-            if (sites[i] && mesh_->points()[i] != *sites[i]) return "mesh: a position is not what was asked for";
+            if (sites[i] && mesh_->points()[i] != *sites[i]) return "mesh: a position is not the requested one";
         }
         const Mesh_cells<d> cells = mesh_->cells();
         if (sorted(cells.vertices) != sorted(expected)) return "mesh: the cells are not CGAL's";
@@ -86,15 +86,15 @@ class Mesh_twin {
     }
 
     void move_some(const std::vector<Coordinates<d>>& x) {
-        std::vector<Index> who;
+        std::vector<Index> movers;
         std::vector<Coordinates<d>> where;
         for (std::size_t i = 0; i < x.size(); ++i) {
             if (!mesh_->is_vertex(static_cast<Index>(i)) || x[i] == mesh_->points()[i]) continue;
-            who.push_back(static_cast<Index>(i));
+            movers.push_back(static_cast<Index>(i));
             where.push_back(x[i]);
         }
-        const Move_counts m = mesh_->move(who, where).moves;
-        if (m.asked != who.size() ||
+        const Move_counts m = mesh_->move(movers, where).moves;
+        if (m.asked != movers.size() ||
             m.asked != m.within_tolerance + m.kept_in_place + m.flipped + m.reinserted + m.rebuilt)
             fault_ = "mesh: the counts of a report do not add up";
     }

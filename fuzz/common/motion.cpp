@@ -193,8 +193,8 @@ void make_fit(std::vector<Coordinates<d>>& x, const Sites_of<d>& now, std::uint6
     x.resize(now.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
         if (!now[i]) {
-            constexpr std::array nobody{0.0, 0x1p1000, std::numeric_limits<double>::quiet_NaN(), -0x1p-1074};
-            x[i].fill(nobody[hashed(seed, i) % nobody.size()]);
+            constexpr std::array at_free_indices{0.0, 0x1p1000, std::numeric_limits<double>::quiet_NaN(), -0x1p-1074};
+            x[i].fill(at_free_indices[hashed(seed, i) % at_free_indices.size()]);
         } else if (i >= given || domain_verdict<d>(x[i])) {
             x[i] = *now[i];
         }

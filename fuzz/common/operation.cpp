@@ -26,12 +26,12 @@ std::string operation_as_code(const Operation_of<d>& o) {
         return "Calls<" + std::to_string(d) + ">::" + std::string(name) + "(" + arguments + ")";
     };
     const auto point = [&o] { return points_as_code(o.points); };
-    const std::string who = std::to_string(o.vertex);
+    const std::string vertex = std::to_string(o.vertex);
     switch (o.kind) {
-        case Operation_kind::move: return call(o.fits ? "move_some" : "move", who + ", " + point());
+        case Operation_kind::move: return call(o.fits ? "move_some" : "move", vertex + ", " + point());
         case Operation_kind::move_all: return call(o.fits ? "move_most" : "move_all", "{" + point() + "}");
         case Operation_kind::insert: return call(o.fits ? "insert_near" : "insert", point());
-        case Operation_kind::remove: return call(o.fits ? "remove_some" : "remove", who);
+        case Operation_kind::remove: return call(o.fits ? "remove_some" : "remove", vertex);
         case Operation_kind::recompute_tolerances: return call("recompute_tolerances", "");
         case Operation_kind::stay: return call("stay", "");
         case Operation_kind::steady:
@@ -39,7 +39,7 @@ std::string operation_as_code(const Operation_of<d>& o) {
                                       number_as_code(o.pace) + ", " + std::to_string(o.seed) + "U");
         case Operation_kind::refused: break;
     }
-    return call("refused", "Refusal::" + std::string(refusal_names[o.seed % refusals]) + ", " + who);
+    return call("refused", "Refusal::" + std::string(refusal_names[o.seed % refusals]) + ", " + vertex);
 }
 
 }  // namespace

@@ -166,8 +166,8 @@ struct Calls {
         return {Kind::steady, none, {}, true, m, times, pace, seed};
     }
     // Made illegal.
-    [[nodiscard]] static Operation refused(Refusal why, Index who = 0) {
-        return {Kind::refused, who, {}, false, Motion{}, 0, 0.0, static_cast<std::uint64_t>(why)};
+    [[nodiscard]] static Operation refused(Refusal why, Index v = 0) {
+        return {Kind::refused, v, {}, false, Motion{}, 0, 0.0, static_cast<std::uint64_t>(why)};
     }
 };
 

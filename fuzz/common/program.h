@@ -73,7 +73,7 @@ class Session_of {
     [[nodiscard]] std::vector<Index> living() const;
     [[nodiscard]] std::vector<Coordinates<d>> present() const;
     [[nodiscard]] Operation_of<d> resolved(const Operation_of<d>& o) const;
-    [[nodiscard]] Operation_of<d> refusal_of(Refusal why, std::size_t who) const;
+    [[nodiscard]] Operation_of<d> refusal_of(Refusal why, std::size_t v) const;
     [[nodiscard]] std::optional<Error_code> expected_refusal(const Operation_of<d>& o) const;
     [[nodiscard]] bool renews_tolerances(Kind kind, Error_code code) const;
     void make(const Operation_of<d>& o);

@@ -45,16 +45,16 @@ Operation_of<d> Session_of<d>::resolved(const Operation_of<d>& o) const {
 
 /// A call that is refused for this reason, or, where there are too few points for that, because of an invalid point.
 template <int d>
-Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
+Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t v) const {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double sign = who % 2 == 0 ? 1.0 : -1.0;
-    const double beyond = sign * (who % 3 == 0 ? 0x1p1023 : 0x1.0000000000001p500);
+    const double sign = v % 2 == 0 ? 1.0 : -1.0;
+    const double beyond = sign * (v % 3 == 0 ? 0x1p1023 : 0x1.0000000000001p500);
     const std::vector<Index> alive = living();
-    const auto some = [&](std::size_t k) { return alive[(who + k) % alive.size()]; };
+    const auto some = [&](std::size_t k) { return alive[(v + k) % alive.size()]; };
     const auto bad = [&](double c) {
         Coordinates<d> p = alive.empty() ? Coordinates<d>{} : *sites_[at(some(0))];
-        p[who % p.size()] = c;
+        p[v % p.size()] = c;
         return p;
     };
     const auto all = [&](double c) {
@@ -77,7 +77,7 @@ Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
         case Refusal::insert_nan: break;
         case Refusal::insert_out_of_domain: return Calls<d>::insert(bad(beyond));
         case Refusal::move_all_to_nan:
-            if (one) return all(who % 2 == 0 ? nan : infinity);
+            if (one) return all(v % 2 == 0 ? nan : infinity);
             break;
         case Refusal::move_all_out_of_domain:
             if (one) return all(beyond);
@@ -102,20 +102,19 @@ Operation_of<d> Session_of<d>::refusal_of(Refusal why, std::size_t who) const {
         case Refusal::move_all_meets: {
             if (!two) break;
             const Operation_of<d> o =
-                Calls<d>::steady(Motion::jitter, 1, std::ldexp(1.0, -static_cast<int>(who % 30)), who);
+                Calls<d>::steady(Motion::jitter, 1, std::ldexp(1.0, -static_cast<int>(v % 30)), v);
             std::vector<Coordinates<d>> x = next_positions<d>(o, 0, sites_, sites_, {});
             x[at(some(1))] = x[at(some(0))];
             return Calls<d>::move_all(x);
         }
         case Refusal::move_free:
             return Calls<d>::move(
-                free_indices_.empty() ? static_cast<Index>(sites_.size()) : free_indices_[who % free_indices_.size()],
+                free_indices_.empty() ? static_cast<Index>(sites_.size()) : free_indices_[v % free_indices_.size()],
                 Coordinates<d>{});
         case Refusal::remove_free:
             return Calls<d>::remove(free_indices_.empty() ? static_cast<Index>(sites_.size())
-                                                          : free_indices_[who % free_indices_.size()]);
-        case Refusal::move_beyond:
-            return Calls<d>::move(std::array{-1, 1000000, -2000000000}[who % 3], Coordinates<d>{});
+                                                          : free_indices_[v % free_indices_.size()]);
+        case Refusal::move_beyond: return Calls<d>::move(std::array{-1, 1000000, -2000000000}[v % 3], Coordinates<d>{});
     }
     return Calls<d>::insert(bad(nan));
 }

@@ -37,7 +37,7 @@ void Session_of<d>::check() const {
         ++count;
         if (dt_->index(v) != static_cast<Index>(i)) throw Fault{"index(vertex(i)) != i"};
         const auto p = Space<d>::point(*sites_[i]);
-        if (dt_->position(v) != p) throw Fault{"a position is not what was asked for"};
+        if (dt_->position(v) != p) throw Fault{"a position is not the requested one"};
         if (v->point() != p) throw Fault{"CGAL's point is not the position"};
         if ((kept || coverage_.calls % sites_.size() == i) && !(dt_->tolerance(v) >= 0.0))
             throw Fault{"a tolerance is negative or NaN"};

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* What commit() writes: certificates that were evaluated, thresholds (algorithm_filter.v; src/annulus/engine/displacement_budget_commit.cpp).
 
-   - set_room_protects       a threshold from the earliest expiry of a list protects all that the list knows
+   - set_room_protects       a threshold from the earliest expiry of a list protects all that the list contains
    - verdicts_committed      all that was evaluated: every certificate is good but for thresholds *)
 Require Import Reals Lra Lia ZArith List Bool.
 From Annulus Require Import algorithm_listed truncated_double algorithm_filter algorithm_keep.

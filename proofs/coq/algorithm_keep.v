@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The invariant of `filter` (algorithm_filter.v), and what one operation does to all that it is not about.
 
-   - good           of a certificate: what its record promises (sane), that its points are near its reference (close), that lists know it
-                    (listed), that the test of a step asks for it (tested). An expiry is below what is allowed, or below the base: overdue, or clipped by rebase
-   - advance        what anchoring and writing do to all else: displacement budgets go on, lists and tests keep what they know
+   - good           of a certificate: what its record promises (sane), that its points are near its reference (close), that lists contain it
+                    (listed), that the test of a step includes it (tested). An expiry is below what is allowed, or below the base: overdue, or clipped by rebase
+   - advance        what anchoring and writing do to all else: displacement budgets go on, lists and tests keep what they contain
    - good_carried   so what is good stays good
    - anchor_advance, put_at_advance    two that do
    - evaluated_good a certificate that was evaluated at x, written down, is good *)

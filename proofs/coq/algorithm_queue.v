@@ -129,7 +129,7 @@ Proof.
   destruct (lower_positions s u) as [E F]. destruct (IH _ (lower_tidy s u T)) as (A & B & C). now rewrite B, C, E, F.
 Qed.
 
-(* D = 0 for the vertex that is processed; nobody else is fixed anew, and positions stay. *)
+(* D = 0 for the vertex that is processed; no other vertex gets a new fixed position, and positions stay. *)
 Lemma process_tidy : forall s h q, tidy s -> queue s = h :: q ->
   let t := process h {| moving := moving s; fixed := fixed s; epsilon := epsilon s; queue := q |} in
   tidy t /\ moving t = moving s /\ fixed t = set (fixed s) h (moving s h).

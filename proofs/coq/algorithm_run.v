@@ -208,7 +208,7 @@ Definition stepped s x failed m verdicts : state :=
   commit x (fst (find_expired s x failed)) m verdicts.
 
 Inductive call : system -> system -> Prop :=
-  (* move_all, move: everybody passes; somebody fails; Repair fails *)
+  (* move_all, move: all vertices pass; some vertex fails; Repair fails *)
   | passed s x movers : Valid x -> covered s x movers -> find_failed s x movers = [] ->
       call {| of_filter := s; tracks := true |} {| of_filter := move_to x s; tracks := true |}
   | processed s x movers m verdicts : Valid x -> covered s x movers ->
@@ -219,7 +219,7 @@ Inductive call : system -> system -> Prop :=
       call {| of_filter := s; tracks := true |}
         {| of_filter := undo_anchoring (begin_anchoring s) (fst (find_expired s x (find_failed s x movers))) (find_failed s x movers);
            tracks := true |}
-  (* place, refresh: vertices come or go, or cells came back under other numbers; evaluated where everybody is *)
+  (* place, refresh: vertices are inserted or removed, or cells came back under other numbers; evaluated at the positions of all *)
   | refreshed s placed m verdicts : (forall n, In n placed -> valid (snd n)) ->
       (forall n i c, In n placed -> mesh s i = Some c -> ~ In (fst n) (points c)) ->
       (let t := fold_left place placed s in repaired (moving t) (mesh t) m [] verdicts) ->

@@ -2,7 +2,7 @@
 (* bridge.v for what the filters of the plane and of space share: constants, the range of the largest difference, and decide.
 
    - decide_stands   decide says the same in primitive floats and in rounded reals, and its tolerance stands for the real one
-   - decide_said     the same of signs alone where no certified tolerance is asked for *)
+   - decide_said     the same of signs alone where no certified tolerance is requested *)
 From Coq Require Import Reals ZArith Lia Lra Bool.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.

@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* That there are calls: what `start` and `program_call` ask can be had. Four doubles that are a kite, two triangles of it, and all that the filtered predicate
-   answers of them, computed; one vertex moves, and the diagonal is flipped; a fifth vertex comes. What comes then is in calls_made.v.
+(* That there are calls: what `start` and `program_call` require can be satisfied. Four doubles that are a kite, two triangles of it, and all that the filtered predicate
+   answers of them, computed; one vertex moves, and the diagonal is flipped; a fifth vertex is inserted. What follows is in calls_made.v.
 
    - recomputed_right   where the filtered predicate says yes to all certificates of a mesh, the filter can start
    - flips           the move is a call (`step`, `inside`)
-   - comes_in        and so is the insertion (`inserted`) *)
+   - insertion        and so is the insertion (`inserted`) *)
 From Coq Require Import Reals ZArith List Bool Lra Lia FunctionalExtensionality.
 From Flocq Require Import Core.
 From Coq Require Import Floats.
@@ -83,7 +83,7 @@ Proof.
   unfold numbered. destruct (Z.ltb_spec i 0); [discriminate|]. intro N. unfold verdicts_of. rewrite map_map. apply in_map_iff. exists (Z.to_nat i).
   split; [cbn [id verdict_of]; lia|]. apply in_seq. split; [lia|]. apply nth_error_Some. congruence.
 Qed.
-Lemma verdicts_told f T : accepted f T = true -> forall k, In k (verdicts_of f T) -> numbered T (id k) = Some (of k) /\ told f k.
+Lemma verdicts_answered f T : accepted f T = true -> forall k, In k (verdicts_of f T) -> numbered T (id k) = Some (of k) /\ is_answer f k.
 Proof.
   unfold accepted. rewrite !andb_true_iff, forallb_forall. intros [[_ A] _] k K. apply in_map_iff in K. destruct K as (n & <- & K). apply in_seq in K.
   assert (N : nth_error (certificates T) n = Some (nth n (certificates T) (cell 0 0 0))) by (apply nth_error_nth'; lia). split.
@@ -96,7 +96,7 @@ Qed.
 Theorem recomputed_right f T : (forall v, coordinates_2 (f v)) -> accepted f T = true -> start f (numbered T) (verdicts_of f T).
 Proof.
   intros D A. split; trivial.
-  - now apply verdicts_told.
+  - now apply verdicts_answered.
   - intros i c. apply all_verdicts.
   - intros i c M. now apply (numbered_lists f T A) in M.
   - apply (circles_counted (numbered T) T (numbered_lists f T A) (accepted_glued f T A)). intros [[a b] c] I.
@@ -110,7 +110,7 @@ Qed.
 Lemma evaluates_all f T old pending : accepted f T = true -> (forall i, (i < 0 \/ 100 <= i)%Z -> old i = None) ->
   evaluates f old (numbered T) pending (map Z.of_nat (seq 0 100)) (verdicts_of f T).
 Proof.
-  intros A O. split; [now apply verdicts_told|intros i c _; apply all_verdicts|]. intros i N.
+  intros A O. split; [now apply verdicts_answered|intros i c _; apply all_verdicts|]. intros i N.
   assert (Q : (i < 0 \/ 100 <= i)%Z).
   { destruct (Z.ltb_spec i 0); [now left|]. destruct (Z.ltb_spec i 100) as [L|]; [|now right]. exfalso. apply N, in_map_iff. exists (Z.to_nat i). rewrite in_seq. lia. }
   rewrite (O i Q). unfold accepted in A. rewrite !andb_true_iff, Nat.leb_le in A. destruct A as [_ A]. unfold numbered. destruct (Z.ltb_spec i 0); [reflexivity|].
@@ -132,9 +132,9 @@ Definition blank : state := {|
 Definition first : state := recompute (at_doubles low) blank (numbered upright) (verdicts_of low upright).
 (* Vertex 3 moves. *)
 Definition second : state := stepped first (at_doubles high) (find_failed first (at_doubles high) [3%nat]) (numbered level) (verdicts_of high level).
-(* Vertex 4 comes. *)
+(* Vertex 4 is inserted. *)
 Definition third : state :=
-  stepped (fold_left place (placed high (comes 4)) second) (at_doubles high) [] (numbered with_fifth) (verdicts_of high with_fifth).
+  stepped (fold_left place (placed high (inserts 4)) second) (at_doubles high) [] (numbered with_fifth) (verdicts_of high with_fifth).
 
 Lemma upright_accepted : accepted low upright = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
@@ -168,7 +168,7 @@ Proof.
   now apply (numbered_outside low upright).
 Qed.
 
-Theorem flips : program_call nobody {| of_filter := first; tracks := true |} upright {| of_filter := second; tracks := true |} level.
+Theorem flips : program_call no_event {| of_filter := first; tracks := true |} upright {| of_filter := second; tracks := true |} level.
 Proof.
   apply (step first high [3%nat] (numbered level) everything_there (verdicts_of high level) inside).
   - exact high_coordinates.
@@ -191,7 +191,7 @@ Qed.
 
 Lemma place_mesh s n : algorithm_filter.mesh (place s n) = algorithm_filter.mesh s.
 Proof. now destruct n. Qed.
-Lemma placed_moving : moving (fold_left place (placed high (comes 4)) second) = at_doubles high.
+Lemma placed_moving : moving (fold_left place (placed high (inserts 4)) second) = at_doubles high.
 Proof.
   cbn [placed fold_left place move_to moving]. unfold second. rewrite stepped_moving. apply functional_extensionality. intro v.
   destruct (Nat.eq_dec v 4) as [->|N]; [now rewrite set_same|now rewrite set_other].
@@ -201,19 +201,19 @@ Lemma second_right : right {| of_filter := second; tracks := true |}.
 Proof.
   assert (Ls : lists (algorithm_filter.mesh first) upright) by (rewrite (proj2 started); exact (numbered_lists low upright upright_accepted)).
   refine (call_keeps _ _ (proj1 started) _).
-  exact (program_call_is_call nobody _ upright _ level (proj1 started) (accepted_glued low upright upright_accepted) Ls flips
+  exact (program_call_is_call no_event _ upright _ level (proj1 started) (accepted_glued low upright upright_accepted) Ls flips
     (accepted_glued high level level_accepted)).
 Qed.
-Lemma fourth_comes v : comes 4 = comes v -> ~ vertex_of level v.
+Lemma fourth_inserted v : inserts 4 = inserts v -> ~ vertex_of level v.
 Proof. intros E (t & I & C). injection E as <-. cbn in I. destruct I as [<-|[<-|[]]]; cbn in C; lia. Qed.
-Lemma third_evaluated : evaluates high (algorithm_filter.mesh (fold_left place (placed high (comes 4)) second)) (numbered with_fifth) [] everything_there
+Lemma third_evaluated : evaluates high (algorithm_filter.mesh (fold_left place (placed high (inserts 4)) second)) (numbered with_fifth) [] everything_there
   (verdicts_of high with_fifth).
 Proof. apply evaluates_all; [exact fifth_accepted|]. intros i Q. cbn [placed fold_left]. rewrite place_mesh, second_mesh. now apply (numbered_outside high level). Qed.
 Lemma third_mesh : algorithm_filter.mesh third = numbered with_fifth.
 Proof.
   assert (Ls : lists (algorithm_filter.mesh second) level) by (rewrite second_mesh; exact (numbered_lists high level level_accepted)).
-  exact (proj1 (inserted_ends second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth) level
-    with_fifth second_right (accepted_glued high level level_accepted) Ls high_coordinates placed_moving fourth_comes third_evaluated
+  exact (proj1 (inserted_ends second high (inserts 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth) level
+    with_fifth second_right (accepted_glued high level level_accepted) Ls high_coordinates placed_moving fourth_inserted third_evaluated
     (accepted_glued high with_fifth fifth_accepted) (numbered_lists high with_fifth fifth_accepted))).
 Qed.
 
@@ -226,12 +226,12 @@ Proof.
     destruct C as [->|[->| ->]]; [exists (0, 1, 2)%nat|exists (0, 1, 2)%nat|exists (2, 3, 4)%nat]; cbn; tauto.
 Qed.
 
-Theorem comes_in : program_call (comes 4) {| of_filter := second; tracks := true |} level {| of_filter := third; tracks := true |} with_fifth.
+Theorem insertion : program_call (inserts 4) {| of_filter := second; tracks := true |} level {| of_filter := third; tracks := true |} with_fifth.
 Proof.
-  apply (inserted second high (comes 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth)).
+  apply (inserted second high (inserts 4) (numbered with_fifth) everything_there (verdicts_of high with_fifth)).
   - exact high_coordinates.
   - exact placed_moving.
-  - exact fourth_comes.
+  - exact fourth_inserted.
   - exact third_evaluated.
   - exact (accepted_glued high with_fifth fifth_accepted).
   - exact (numbered_lists high with_fifth fifth_accepted).

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* calls_example.v goes on: the fifth vertex goes, and all move onto a circle and are looked at by signs alone.
+(* calls_example.v goes on: the fifth vertex is removed, and all move onto a circle and are evaluated by signs alone.
 
-   - goes_out        the removal is a call (`inserted`)
+   - removal        the removal is a call (`inserted`)
    - by_signs        so is the step by signs (`signs_of_all`); of the one certificate of a circle the sign is 0, which integers tell (on_a_circle)
    - example         what program_delaunay_until says of all of them *)
 From Coq Require Import Reals ZArith List Bool Lra Lia FunctionalExtensionality.
@@ -22,11 +22,11 @@ Section calls.
 Context {o : options}.
 #[local] Existing Instance the_laws.
 
-(* Vertex 4 goes. *)
+(* Vertex 4 is removed. *)
 Definition fourth : state := stepped third (at_doubles high) [] (numbered level) (verdicts_of high level).
-Theorem goes_out : program_call (goes 4) {| of_filter := third; tracks := true |} with_fifth {| of_filter := fourth; tracks := true |} level.
+Theorem removal : program_call (removes 4) {| of_filter := third; tracks := true |} with_fifth {| of_filter := fourth; tracks := true |} level.
 Proof.
-  apply (inserted third high (goes 4) (numbered level) everything_there (verdicts_of high level)).
+  apply (inserted third high (removes 4) (numbered level) everything_there (verdicts_of high level)).
   - exact high_coordinates.
   - apply stepped_moving.
   - discriminate.
@@ -65,7 +65,7 @@ Proof.
     | |- signed _ (circle _ _ _ _) => left; right; vm_compute; discriminate end|]).
   contradiction.
 Qed.
-Theorem by_signs : program_call nobody {| of_filter := fourth; tracks := true |} level {| of_filter := fifth; tracks := false |} level.
+Theorem by_signs : program_call no_event {| of_filter := fourth; tracks := true |} level {| of_filter := fifth; tracks := false |} level.
 Proof.
   apply (signs_of_all fourth true round (numbered level)).
   - exact round_coordinates.
@@ -76,14 +76,14 @@ Proof.
   - exact level_winds.
 Qed.
 
-Definition event_of (i : nat) : event := match i with 1%nat => comes 4 | 2%nat => goes 4 | _ => nobody end.
+Definition event_of (i : nat) : event := match i with 1%nat => inserts 4 | 2%nat => removes 4 | _ => no_event end.
 Definition system_of (i : nat) : system := match i with O => recomputed low (numbered upright) (verdicts_of low upright) blank
   | 1%nat => {| of_filter := second; tracks := true |} | 2%nat => {| of_filter := third; tracks := true |} | 3%nat => {| of_filter := fourth; tracks := true |}
   | _ => {| of_filter := fifth; tracks := false |} end.
 Definition mesh_after (i : nat) : plane_mesh.mesh := match i with O => upright | 2%nat => with_fifth | _ => level end.
 
 Lemma calls_made i : (i < 4)%nat -> program_call (event_of i) (system_of i) (mesh_after i) (system_of (S i)) (mesh_after (S i)).
-Proof. intro L. do 4 (destruct i as [|i]; [first [exact flips|exact comes_in|exact goes_out|exact by_signs]|]). lia. Qed.
+Proof. intro L. do 4 (destruct i as [|i]; [first [exact flips|exact insertion|exact removal|exact by_signs]|]). lia. Qed.
 
 Theorem example : (triangulation (at_doubles high) with_fifth /\ delaunay (at_doubles high) with_fifth) /\
   (triangulation (at_doubles round) level /\ delaunay (at_doubles round) level) /\ forall v, vertex_of with_fifth v <-> vertex_of upright v \/ v = 4%nat.

@@ -26,7 +26,7 @@ Theorem orientation_in_the_plane : forall (f : doubles) correctly_rounded a b c,
       forall m : nat -> point_2, (forall v, In v [a; b; c] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < turn_at m a b c
   end.
 Proof.
-  intros f correctly_rounded a b c D. destruct (orientation_2_told f correctly_rounded a b c D) as [R N].
+  intros f correctly_rounded a b c D. destruct (orientation_2_right f correctly_rounded a b c D) as [R N].
   assert (C := fun t m => orientation_2_certifies f correctly_rounded a b c t m D).
   destruct (orientation_predicate correctly_rounded (f a) (f b) (f c)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
@@ -43,7 +43,7 @@ Theorem empty_circle : forall (f : doubles) correctly_rounded a b p q, (forall v
       (forall v, In v [a; b; p; q] -> dist_2 (at_doubles f v) (m v) < operations.value t) -> 0 < incircle_at m a b p q
   end.
 Proof.
-  intros f correctly_rounded a b p q D. destruct (empty_sphere_2_told f correctly_rounded a b p q D) as [R N].
+  intros f correctly_rounded a b p q D. destruct (empty_sphere_2_right f correctly_rounded a b p q D) as [R N].
   assert (C := fun t m => empty_sphere_2_certifies f correctly_rounded a b p q t m D).
   destruct (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros m. now apply C.
@@ -59,7 +59,7 @@ Theorem orientation_in_space : forall (f : tetrahedron.corner -> filter_3.vector
       forall y, (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < tetrahedron.volume y
   end.
 Proof.
-  intros f correctly_rounded D. destruct (orientation_3_told f D correctly_rounded) as [R N]. assert (C := orientation_3_certifies f D correctly_rounded).
+  intros f correctly_rounded D. destruct (orientation_3_right f D correctly_rounded) as [R N]. assert (C := orientation_3_certifies f D correctly_rounded).
   destruct (orientation_predicate_3 correctly_rounded _ _ _ _) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
@@ -76,7 +76,7 @@ Theorem empty_sphere : forall (f : bicell.vertex -> filter_3.vector_3 machine) c
       (forall k, vectors.norm (vectors.sub (y k) (at_3 (f k))) < operations.value t) -> 0 < bicell.det y
   end.
 Proof.
-  intros f correctly_rounded D. destruct (empty_sphere_3_told f D correctly_rounded filter_3.where_needed) as [R N]. assert (C := empty_sphere_3_certifies f D correctly_rounded).
+  intros f correctly_rounded D. destruct (empty_sphere_3_right f D correctly_rounded filter_3.where_needed) as [R N]. assert (C := empty_sphere_3_certifies f D correctly_rounded).
   destruct (sphere_predicate f correctly_rounded filter_3.where_needed) as [|t|t|t]; [now apply N|exact R|exact R|].
   destruct R as (F & P & _). split; [exact F|]. split; [exact P|]. intros y. now apply C.
 Qed.
@@ -141,8 +141,8 @@ Proof. intros o. exact program_delaunay_until. Qed.
 Print Assumptions filter_in_the_plane.
 
 Theorem verdicts_of_doubles_in_space : forall (o : options) f k, (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
-  told_in_space f k -> evaluated (W := the_space) (at_doubles_3 f) k.
-Proof. exact @told_evaluated_3. Qed.
+  is_answer_in_space f k -> evaluated (W := the_space) (at_doubles_3 f) k.
+Proof. exact @answer_evaluated_3. Qed.
 Print Assumptions verdicts_of_doubles_in_space.
 
 Theorem filter_in_space : forall (o : options) f m verdicts s z,

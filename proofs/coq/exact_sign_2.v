@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Signs where the filter stage could not tell, for who needs no tolerance: src/annulus/predicate/exact_sign.cpp in the plane, by intervals, and where an
+(* Signs that the filter stage could not decide, where no tolerance is needed: src/annulus/predicate/exact_sign.cpp in the plane, by intervals, and where an
    interval holds 0 by integers. Intervals, scale and integers are those of interval_2.v and integers_2.v; the formulas are the prepared circle's.
 
    - exact_orientation_sign_right, exact_empty_sphere_sign_right   of coordinates in the domain the sign is right, 0 included *)

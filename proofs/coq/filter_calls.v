@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The filter of the plane together with the mesh that it works on, after any number of calls (plane_calls.v says what a call is).
 
-   - evaluates_repaired what Repair does is what the model of the filter asks of it (`repaired`)
+   - evaluates_repaired what Repair does is what the model of the filter requires of it (`repaired`)
    - known_after        the border that such a call leaves is known: walked, or need not be (plane_motion.v)
    - call_vertices      no call loses a vertex that it does not remove
    - program_delaunay   from doubles, after any number of calls, the cells triangulate the hull of the moving vertices, which are all that there should be,
@@ -14,14 +14,14 @@ Open Scope R_scope.
 
 Lemma changed_glued w T T' : changed w T T' -> glued T -> glued T'.
 Proof. destruct w; cbn [changed]; [now intros ->|tauto|tauto]. Qed.
-Lemma changed_keeps w T T' : changed w T T' -> keeps nobody T T'.
+Lemma changed_keeps w T T' : changed w T T' -> keeps no_event T T'.
 Proof. destruct w; cbn [changed]; [intros -> v; reflexivity|tauto|tauto]. Qed.
 
 Section calls.
 Context {o : options}.
 
-(* Who comes is in no certificate yet. *)
-Lemma placed_new (s : state) f e T : glued T -> lists (algorithm_filter.mesh s) T -> (forall v, e = comes v -> ~ vertex_of T v) ->
+(* An inserted vertex is in no certificate yet. *)
+Lemma placed_new (s : state) f e T : glued T -> lists (algorithm_filter.mesh s) T -> (forall v, e = inserts v -> ~ vertex_of T v) ->
   forall n i c, In n (placed f e) -> algorithm_filter.mesh s i = Some c -> ~ In (fst n) (points_2 c).
 Proof.
   intros G [L _] New n i c I M V. destruct e as [|v|v]; try contradiction. destruct I as [<-|[]]. apply (New v eq_refl).
@@ -39,9 +39,9 @@ Proof.
   unfold least_first in *. destruct (_ && _); [exact (P _ _ _ _ M)|]. destruct (_ && _); exact (P _ _ _ _ M).
 Qed.
 
-Lemma told_positive f k a b c : (forall v, coordinates_2 (f v)) -> of k = cell a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
+Lemma answer_positive f k a b c : (forall v, coordinates_2 (f v)) -> of k = cell a b c -> is_answer f k -> 0 < turn_at (at_doubles f) a b c.
 Proof.
-  destruct k as [i c' t]. cbn [of]. intros D -> H. assert (A : answered_2 (at_doubles f) {| id := i; of := cell a b c; bound := t |}) by now apply told_answered.
+  destruct k as [i c' t]. cbn [of]. intros D -> H. assert (A : answered_2 (at_doubles f) {| id := i; of := cell a b c; bound := t |}) by now apply answer_holds.
   destruct A as [(_ & _ & A & _)|(_ & A)]; exact A.
 Qed.
 
@@ -55,11 +55,11 @@ Proof.
     destruct (in_dec Z.eq_dec i touched) as [C|C]; [left; apply (Left i c); auto|right]. rewrite <- (Same i C). now split. }
   assert (P : forall i a b c, m i = Some (cell a b c) -> 0 < turn_at (at_doubles f) a b c).
   { intros i a b c M. destruct (Known _ _ M) as [I|[I N]]; [|now apply (Old i)]. apply in_map_iff in I. destruct I as (k & <- & K).
-    destruct (Told k K) as [M' H]. apply (told_positive f k); trivial. congruence. }
+    destruct (Told k K) as [M' H]. apply (answer_positive f k); trivial. congruence. }
   assert (All := positive_by_signs m (at_doubles f) T L P).
   assert (Counted := circles_counted m T L G (fun t => match t with (a, b, c) => fun I => positive_differ _ a b c (All a b c I) end)).
   split; [|exact Known|exact (proj2 L)|exact Counted].
-  intros k K. destruct (Told k K) as [M H]. split; [exact M|]. apply told_evaluated; trivial.
+  intros k K. destruct (Told k K) as [M H]. split; [exact M|]. apply answer_evaluated; trivial.
   destruct (of k) as [| |a b p q] eqn:E; trivial.
   assert (Q : forall u v w, counts_on_2 (least_first u v w) (circle a b p q) -> 0 < turn_at (at_doubles f) u v w).
   { intros u v w Q. destruct (Counted _ _ _ M Q) as (j & J). apply (cell_of_circle no_fold). unfold least_first in *.
@@ -95,8 +95,8 @@ Qed.
 
 Lemma start_recomputes f m verdicts : start f m verdicts -> recomputed_by (at_doubles f) m verdicts.
 Proof.
-  intro St. split; [|intros i c M; left; now apply (all_told _ _ _ St i c)|exact (ids _ _ _ St)|exact (with_cells _ _ _ St)].
-  intros k K. split; [now apply (told_right _ _ _ St)|]. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply (start_answered f m verdicts).
+  intro St. split; [|intros i c M; left; now apply (all_answered _ _ _ St i c)|exact (ids _ _ _ St)|exact (with_cells _ _ _ St)].
+  intros k K. split; [now apply (answers_right _ _ _ St)|]. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply (start_answered f m verdicts).
 Qed.
 
 Theorem program_call_is_call e y T z T' : right y -> glued T -> lists (algorithm_filter.mesh (of_filter y)) T ->
@@ -141,7 +141,7 @@ Proof.
   intros V D Co G L failed Ev No M. assert (X : forall v, valid_2 (at_doubles f v)) by (intro; apply coordinates_valid, D).
   assert (N : ~ In i (map id verdicts)).
   { intro I. apply in_map_iff in I. destruct I as (k & <- & K).
-    assert (Q := proj1 (each_told _ _ _ _ _ _ Ev k K)). assert (turns k = true) by (unfold turns; replace (of k) with (ridge u v w) by congruence; reflexivity).
+    assert (Q := proj1 (each_answered _ _ _ _ _ _ Ev k K)). assert (turns k = true) by (unfold turns; replace (of k) with (ridge u v w) by congruence; reflexivity).
     assert (existsb turns verdicts = true) by (apply existsb_exists; now exists k). congruence. }
   assert (R := step_repaired s f movers m touched verdicts T V D Co G L). fold failed in R. cbv zeta in R.
   assert (P := R Ev). destruct (committed s (at_doubles f) failed V X (failed_or_not s _ movers Co) m verdicts P) as (V' & M' & Mo).
@@ -173,7 +173,7 @@ Proof.
 Qed.
 
 Lemma inserted_ends s f e m touched verdicts T T' : right {| of_filter := s; tracks := true |} -> glued T -> lists (algorithm_filter.mesh s) T ->
-  (forall v, coordinates_2 (f v)) -> let t := fold_left place (placed f e) s in moving t = at_doubles f -> (forall v, e = comes v -> ~ vertex_of T v) ->
+  (forall v, coordinates_2 (f v)) -> let t := fold_left place (placed f e) s in moving t = at_doubles f -> (forall v, e = inserts v -> ~ vertex_of T v) ->
   evaluates f (algorithm_filter.mesh t) m [] touched verdicts -> glued T' -> lists m T' ->
   let r := stepped t (at_doubles f) [] m verdicts in algorithm_filter.mesh r = m /\ moving r = at_doubles f.
 Proof.
@@ -241,7 +241,7 @@ Proof.
   destruct (e i); cbn [afterwards]; now rewrite (IH (Nat.lt_le_incl _ _ L)).
 Qed.
 
-(* After each of n calls: machine_delaunay (../traces) asks for no more than 2^49. *)
+(* After each of n calls: machine_delaunay (../traces) needs no more than 2^49. *)
 Theorem program_delaunay_until n f m verdicts s (e : nat -> event) (y : nat -> system) (T : nat -> plane_mesh.mesh) : start f m verdicts -> (0 <= epoch s)%Z ->
   y O = recomputed f m verdicts s -> glued (T O) -> lists m (T O) -> winds_once (at_doubles f) (border (T O)) ->
   (forall i, (i < n)%nat -> program_call (e i) (y i) (T i) (y (S i)) (T (S i))) ->

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The chain in the plane put together: from the doubles that come in, over what the filter writes down and looks at, to a Delaunay triangulation.
 
-   - told                    of a verdict: it is what the filtered predicate answers of these doubles, operation by operation
-   - told_evaluated          such a verdict promises what the filter asks of one
+   - is_answer               of a verdict: it is what the filtered predicate answers of these doubles, operation by operation
+   - answer_evaluated          such a verdict promises what the filter requires of one
    - same_record_certifies   a ridge that was not evaluated anew between two states is certified at both by one tolerance
    - filter_delaunay         after any calls of the filter: if the border winds once, the cells triangulate the hull and are Delaunay;
                              when the program counts that, and why that is enough, is in filter_calls.v *)
@@ -29,25 +29,25 @@ Definition answered_2 := answered list_length stamps_there_are worn_out no_fold.
 (* ---- Verdicts ---- *)
 
 (* What the filtered predicate answers of these doubles, in whichever stage and mode. *)
-Definition told (f : doubles) (k : verdict) : Prop := exists correctly_rounded,
+Definition is_answer (f : doubles) (k : verdict) : Prop := exists correctly_rounded,
   match of k with
   | cell a b c => says (orientation_predicate correctly_rounded (f a) (f b) (f c)) False (bound k)
   | ridge a b c => says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) (bound k)
   | circle a b p q => says (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) True (bound k)
   end.
 
-(* The comparison of coordinates is asked where the determinant is 0 only. *)
+(* Coordinates are compared only where the determinant is 0. *)
 Lemma ridge_rule f correctly_rounded a b c r : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
   says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (flat_ridge_holds (f a) (f b) (f c) = true) r ->
   says (orientation_predicate correctly_rounded (f a) (f b) (f c)) (no_fold (ridge a b c) (at_doubles f)) r.
 Proof.
-  intros D. destruct (orientation_2_told f correctly_rounded a b c D) as [R _]. revert R. destruct (orientation_predicate _ _ _ _); trivial.
-  intros Z [H ->]. split; [|reflexivity]. now apply flat_ridge_told.
+  intros D. destruct (orientation_2_right f correctly_rounded a b c D) as [R _]. revert R. destruct (orientation_predicate _ _ _ _); trivial.
+  intros Z [H ->]. split; [|reflexivity]. now apply flat_ridge_right.
 Qed.
 
-Lemma told_answered f k : (forall v, coordinates_2 (f v)) ->
+Lemma answer_holds f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
-  told f k -> answered_2 (at_doubles f) k.
+  is_answer f k -> answered_2 (at_doubles f) k.
 Proof.
   intros D P [correctly_rounded H]. destruct k as [i c t]. cbn [of bound] in *. destruct c as [a b c|a b c|a b p q].
   - apply (triangle_answered _ _ _ no_fold f i correctly_rounded a b c t); [now intros|exact H].
@@ -55,15 +55,15 @@ Proof.
   - destruct P. apply (circle_answered _ _ _ no_fold f i correctly_rounded a b p q t); trivial; now intros.
 Qed.
 
-Theorem told_evaluated f k : (forall v, coordinates_2 (f v)) ->
+Theorem answer_evaluated f k : (forall v, coordinates_2 (f v)) ->
   match of k with circle a b p q => 0 < turn_at (at_doubles f) a b q /\ 0 < turn_at (at_doubles f) b a p | _ => True end ->
-  told f k -> evaluated (at_doubles f) k.
-Proof. intros D P H. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply told_answered. Qed.
+  is_answer f k -> evaluated (at_doubles f) k.
+Proof. intros D P H. apply (verdict_evaluated _ _ _ no_fold no_fold_local). now apply answer_holds. Qed.
 
-Lemma told_cell f k a b c : (forall v, coordinates_2 (f v)) -> of k = least_first a b c -> told f k -> 0 < turn_at (at_doubles f) a b c.
+Lemma answer_cell f k a b c : (forall v, coordinates_2 (f v)) -> of k = least_first a b c -> is_answer f k -> 0 < turn_at (at_doubles f) a b c.
 Proof.
   intros D E H. apply (cell_of_circle no_fold). rewrite <- E. assert (A : answered_2 (at_doubles f) k).
-  { apply told_answered; trivial. rewrite E. unfold least_first. destruct (_ && _)%bool; [exact I|]. destruct (_ && _)%bool; exact I. }
+  { apply answer_holds; trivial. rewrite E. unfold least_first. destruct (_ && _)%bool; [exact I|]. destruct (_ && _)%bool; exact I. }
   destruct A as [(_ & _ & A & _)|(_ & A)]; exact A.
 Qed.
 
@@ -81,18 +81,18 @@ Qed.
 
 Record start (f : doubles) (m : Z -> option certificate_2) (verdicts : list verdict) : Prop := {
   in_domain : forall v, coordinates_2 (f v);
-  told_right : forall k, In k verdicts -> m (id k) = Some (of k) /\ told f k;
-  all_told : forall i c, m i = Some c -> In i (map id verdicts);
+  answers_right : forall k, In k verdicts -> m (id k) = Some (of k) /\ is_answer f k;
+  all_answered : forall i c, m i = Some c -> In i (map id verdicts);
   ids : forall i c, m i = Some c -> is_id i;
   with_cells : forall i c d, m i = Some c -> counts_on_2 d c -> exists j, m j = Some d }.
 
 Lemma start_answered f m verdicts k : start f m verdicts -> In k verdicts -> answered_2 (at_doubles f) k.
 Proof.
-  intros [D R A _ C] I. destruct (R k I) as [M H]. apply told_answered; trivial.
+  intros [D R A _ C] I. destruct (R k I) as [M H]. apply answer_holds; trivial.
   destruct (of k) as [| |a b p q] eqn:E; trivial.
   assert (P : forall u v w, counts_on_2 (least_first u v w) (circle a b p q) -> 0 < turn_at (at_doubles f) u v w).
   { intros u v w Q. destruct (C _ _ _ M Q) as (j & J). assert (V := A j _ J). apply in_map_iff in V. destruct V as (h & <- & V).
-    destruct (R h V) as [M' H']. apply (told_cell f h); trivial. congruence. }
+    destruct (R h V) as [M' H']. apply (answer_cell f h); trivial. congruence. }
   split; apply P; [now left|now right].
 Qed.
 
@@ -111,7 +111,7 @@ Proof.
   - intros k K. destruct (R k K). split; [assumption|now apply B].
 Qed.
 
-(* A ridge that neither of two states evaluated anew is certified at both: it does not ask for the winding. *)
+(* A ridge that neither of two states evaluated again is certified at both: the winding is not needed for it. *)
 Theorem same_record_certifies y z i u v w : right y -> right z -> tracks y = true -> tracks z = true ->
   algorithm_filter.mesh (of_filter y) i = Some (ridge u v w) -> algorithm_filter.mesh (of_filter z) i = Some (ridge u v w) ->
   reference (record (of_filter z) i) = reference (record (of_filter y) i) -> allowance (record (of_filter z) i) = allowance (record (of_filter y) i) ->

@@ -2,7 +2,7 @@
 (* The chain in space put together: from the doubles that come in, over what the filter writes down and looks at, to Delaunay. The silhouette of
    the border is looked at, as the plane's border is (silhouette_once).
 
-   - told_evaluated_3     a verdict that is what the filtered predicate answers of these doubles promises what the filter asks of one
+   - answer_evaluated_3     a verdict that is what the filtered predicate answers of these doubles promises what the filter requires of one
    - filter_holds_3       after any calls of the filter every certificate holds where the vertices are
    - certificates_delaunay_3, filter_delaunay_3   hence the cells triangulate the convex hull, and are Delaunay *)
 From Coq Require Import Reals ZArith Lra List Permutation.
@@ -67,7 +67,7 @@ Definition answered_in_space := answered_3 list_length stamps_there_are worn_out
 (* ---- Verdicts ---- *)
 
 (* What the filtered predicate answers of these doubles, in whichever stage and mode. *)
-Definition told_in_space (f : doubles_3) (k : verdict) : Prop := exists correctly_rounded,
+Definition is_answer_in_space (f : doubles_3) (k : verdict) : Prop := exists correctly_rounded,
   match of k with
   | cell_3 a b c d => says (orientation_predicate_3 correctly_rounded (f a) (f b) (f c) (f d)) False (bound k)
   | ridge_3 a b c d => says (orientation_predicate_3 correctly_rounded (f a) (f b) (f c) (f d)) (flat_ridge_holds_3 (f a) (f b) (f c) (f d) = true) (bound k)
@@ -80,7 +80,7 @@ Lemma tetrahedron_says f correctly_rounded a b c d rule r : (forall v, coordinat
   0 <= r /\ float_model.F r /\ 0 < orient_at (at_doubles_3 f) a b c d /\ r <= tetrahedron.half_width_simplex (corners_at (at_doubles_3 f) a b c d) \/
   r = 0 /\ orient_at (at_doubles_3 f) a b c d = 0 /\ rule.
 Proof.
-  intros D S. destruct (orientation_3_told (fun k => f (point_of (a, b, c, d) k)) (fun k => D _) correctly_rounded) as [R _]. cbn [point_of] in R. revert R S.
+  intros D S. destruct (orientation_3_right (fun k => f (point_of (a, b, c, d) k)) (fun k => D _) correctly_rounded) as [R _]. cbn [point_of] in R. revert R S.
   destruct (orientation_predicate_3 _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
   - intros Z [Q ->]. right. split; [reflexivity|]. split; [exact Z|exact Q].
   - intros (_ & P & T0 & T) ->. left. split; [exact T0|]. split; [apply value_format|]. split; [exact P|exact T].
@@ -92,7 +92,7 @@ Lemma sphere_says f correctly_rounded a b c p q rule r : (forall v, coordinates_
     r <= Rmax 0 (sign_tolerance_3.own_tolerance_3 (bicell_at (at_doubles_3 f) a b c p q)) \/
   r = 0 /\ insphere_at (at_doubles_3 f) a b c p q = 0 /\ rule.
 Proof.
-  intros D S. destruct (empty_sphere_3_told (fun k =>
+  intros D S. destruct (empty_sphere_3_right (fun k =>
     match k with bicell.a => f a | bicell.b => f b | bicell.c => f c | bicell.p => f p | bicell.q => f q end)
     ltac:(intros []; apply D) correctly_rounded where_needed) as [R _]. unfold sphere_predicate in R.
   replace (fun k => at_3 _) with (bicell_at (at_doubles_3 f) a b c p q) in R by (apply FunctionalExtensionality.functional_extensionality; now intros []).
@@ -101,13 +101,13 @@ Proof.
   - intros (_ & P & T0 & T) ->. left. split; [exact T0|]. split; [apply value_format|]. split; [exact P|exact T].
 Qed.
 
-Lemma told_answered_3 f k : (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
-  told_in_space f k -> answered_in_space (at_doubles_3 f) k.
+Lemma answer_holds_3 f k : (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k ->
+  is_answer_in_space f k -> answered_in_space (at_doubles_3 f) k.
 Proof.
   intros D P [correctly_rounded H]. destruct k as [i c t]. unfold its_cells_positive in P. cbn [of bound] in *. destruct c as [a b c d|a b c d|a b c p q].
   - destruct (tetrahedron_says f correctly_rounded a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|contradiction].
   - destruct (tetrahedron_says f correctly_rounded a b c d _ t D H) as [(T0 & T1 & V & T)|(-> & Z & Q)]; [left; split; [exact T0|]; split; [exact T1|]; split; [exact V|exact T]|].
-    right. split; [reflexivity|]. right. split; [exact Z|]. apply flat_ridge_told_3; [|exact Z|exact Q]. intros v [<-|[<-|[<-|[<-|[]]]]]; apply D.
+    right. split; [reflexivity|]. right. split; [exact Z|]. apply flat_ridge_right_3; [|exact Z|exact Q]. intros v [<-|[<-|[<-|[<-|[]]]]]; apply D.
   - destruct P as [P1 P2]. destruct (sphere_says f correctly_rounded a b c p q _ t D H) as [(T0 & T1 & V & T)|(-> & Z & _)].
     + revert T. unfold Rmax. destruct (Rle_dec 0 _); intro T.
       * left. split; [exact T0|]. split; [exact T1|]. repeat split; trivial.
@@ -115,31 +115,31 @@ Proof.
     + right. split; [reflexivity|]. right. now split.
 Qed.
 
-Theorem told_evaluated_3 f k : (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k -> told_in_space f k -> evaluated (at_doubles_3 f) k.
-Proof. intros D P H. apply (verdict_evaluated_3 _ _ _ no_fold_3 no_fold_3_local). now apply told_answered_3. Qed.
+Theorem answer_evaluated_3 f k : (forall v, coordinates_3 (f v)) -> its_cells_positive (at_doubles_3 f) k -> is_answer_in_space f k -> evaluated (at_doubles_3 f) k.
+Proof. intros D P H. apply (verdict_evaluated_3 _ _ _ no_fold_3 no_fold_3_local). now apply answer_holds_3. Qed.
 
-Lemma told_cell_3 f k a b c d : (forall v, coordinates_3 (f v)) -> of k = least_first_3 a b c d -> told_in_space f k -> 0 < orient_at (at_doubles_3 f) a b c d.
+Lemma answer_cell_3 f k a b c d : (forall v, coordinates_3 (f v)) -> of k = least_first_3 a b c d -> is_answer_in_space f k -> 0 < orient_at (at_doubles_3 f) a b c d.
 Proof.
   destruct k as [i k t]. cbn [of]. intros D E H. apply (positive_cell no_fold_3). destruct (least_first_cell a b c d) as (a' & b' & c' & d' & E').
-  rewrite E' in *. subst k. assert (A := told_answered_3 f (Build_verdict i (cell_3 a' b' c' d') t) D I H). destruct A as [(_ & _ & A)|(_ & A)]; apply A.
+  rewrite E' in *. subst k. assert (A := answer_holds_3 f (Build_verdict i (cell_3 a' b' c' d') t) D I H). destruct A as [(_ & _ & A)|(_ & A)]; apply A.
 Qed.
 
 (* ---- A start: everything evaluated where the doubles are ---- *)
 
 Record start_in_space (f : doubles_3) (m : Z -> option certificate_3) (verdicts : list verdict) : Prop := {
   in_domain_3 : forall v, coordinates_3 (f v);
-  told_right_3 : forall k, In k verdicts -> m (id k) = Some (of k) /\ told_in_space f k;
-  all_told_3 : forall i c, m i = Some c -> In i (map id verdicts);
+  answers_right_3 : forall k, In k verdicts -> m (id k) = Some (of k) /\ is_answer_in_space f k;
+  all_answered_3 : forall i c, m i = Some c -> In i (map id verdicts);
   ids_3 : forall i c, m i = Some c -> is_id i;
   with_cells_3 : forall i c d, m i = Some c -> counts_on_3 d c -> exists j, m j = Some d }.
 
 Lemma start_answered_3 f m verdicts k : start_in_space f m verdicts -> In k verdicts -> answered_in_space (at_doubles_3 f) k.
 Proof.
-  intros [D R A _ C] I. destruct (R k I) as [M H]. apply told_answered_3; trivial. unfold its_cells_positive.
+  intros [D R A _ C] I. destruct (R k I) as [M H]. apply answer_holds_3; trivial. unfold its_cells_positive.
   destruct (of k) as [| |a b c p q] eqn:E; trivial.
   assert (P : forall u v w x, counts_on_3 (least_first_3 u v w x) (sphere a b c p q) -> 0 < orient_at (at_doubles_3 f) u v w x).
   { intros u v w x Q. destruct (C _ _ _ M Q) as (j & J). assert (V := A j _ J). apply in_map_iff in V. destruct V as (h & <- & V).
-    destruct (R h V) as [M' H']. apply (told_cell_3 f h); trivial. congruence. }
+    destruct (R h V) as [M' H']. apply (answer_cell_3 f h); trivial. congruence. }
   split; apply P; [now left|now right].
 Qed.
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The arithmetic of `filter` errs on the right side: what algorithm_filter.v asks of it in `laws`, for the operations of the code in
+(* The arithmetic of `filter` errs on the right side: what algorithm_filter.v requires of it in `laws`, for the operations of the code in
    binary64, all numbers of the format (src/annulus/engine/tolerance_strategy.h, displacement.h).
 
    - path_length_above_2, _3     Displacement_budget::path_length is a number and at least base + distance

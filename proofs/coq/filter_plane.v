@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* algorithm_run.v with the certificates of the plane and the arithmetic of the code: nothing of `world` and `laws` is left to believe, and what
-   is asked of a verdict is what the filtered predicate answers, a number that is at most half a least altitude or half a width (docs/theory.md 2.1, 2.2).
+   is required of a verdict is what the filtered predicate answers, a number that is at most half a least altitude or half a width (docs/theory.md 2.1, 2.2).
 
    - verdict_evaluated      such a verdict promises what the model needs
    - plane_filter_is_right  after any calls every triangle is positive, every circle empty, every ridge of the border convex

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* algorithm_run.v with the certificates of space and the arithmetic of the code, as filter_plane.v for the plane: what is asked of a verdict is what the
+(* algorithm_run.v with the certificates of space and the arithmetic of the code, as filter_plane.v for the plane: what is required of a verdict is what the
    filtered predicate answers, a number that is at most half the width of a tetrahedron or the tolerance of an empty sphere whose cells have records of their own
    (docs/theory.md 2.1, 2.2; sign_tolerance_3.v, own_tolerance_3).
 

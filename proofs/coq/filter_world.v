@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the model of the filter is told of the plane and of space alike: vertices are numbers, arithmetic is that of the code (filter_doubles.v), lists
+(* What the model of the filter uses of the plane and of space alike: vertices are numbers, arithmetic is that of the code (filter_doubles.v), lists
    and stamps are left open. A dimension adds its points (`metric`) and its certificates (`family`): filter_plane.v, filter_space.v.
 
    - around_all_right        of all ids there can be, those of certificates that contain a vertex

@@ -3,7 +3,7 @@
 
    - precedes           the order of points in the code, that of their coordinates one after another
    - flat_ridge_holds   degenerate.h: the vertex v of the ridge is between its neighbours u and w
-   - flat_ridge_told    which is that the border does not fold back there *)
+   - flat_ridge_right    which is that the border does not fold back there *)
 From Coq Require Import Reals Lra Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN IEEE754.PrimFloat.
 From Coq Require Import Floats.
@@ -25,7 +25,7 @@ Proof.
     (Req_bool_spec (value (x _ p)) (value (x _ q))); intuition (lra || discriminate).
 Qed.
 
-Theorem flat_ridge_told (f : nat -> filter_2.vector machine) u v w : (forall z, In z [u; v; w] -> coordinates_2 (f z)) ->
+Theorem flat_ridge_right (f : nat -> filter_2.vector machine) u v w : (forall z, In z [u; v; w] -> coordinates_2 (f z)) ->
   turn_at (fun z => at_2 (f z)) u v w = 0 ->
   flat_ridge_holds (f u) (f v) (f w) = true <-> no_fold (ridge u v w) (fun z => at_2 (f z)).
 Proof.

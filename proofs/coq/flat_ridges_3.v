@@ -3,7 +3,7 @@
 
    - seen                 a point seen along an axis, as a point of the plane
    - flat_ridge_holds_3   degenerate.h: c and d are on different sides of the ridge u w, seen so
-   - flat_ridge_told_3    which is that the border does not fold back there *)
+   - flat_ridge_right_3    which is that the border does not fold back there *)
 From Coq Require Import Reals ZArith Lra List Bool Psatz.
 From Coq Require Import Floats.
 From Annulus Require Import points_2 operations connect filter_2 filter_3 stages returned_2 returned_3 interval_2 exact_2 exact_returned_2 plain_2 vectors space_mesh.
@@ -18,7 +18,7 @@ Definition seen (i : axis) (p : vector_3 machine) : filter_2.vector machine :=
   | along_y => Build_vector machine (z3 _ p) (x3 _ p)
   | along_z => Build_vector machine (x3 _ p) (y3 _ p)
   end.
-(* The sign that the filtered predicate says when no tolerance is asked for. *)
+(* The sign that the filtered predicate says when no tolerance is requested. *)
 Definition side_sign (a b c : filter_2.vector machine) : Z :=
   match staged false (orientation_filter machine a b c false) (orientation_interval a b c) (orientation_exact a b c) with
   | negative _ => -1 | filter_2.positive _ => 1 | _ => 0
@@ -81,7 +81,7 @@ Proof.
     rewrite Z.eqb_eq, H. split; [intro T; split; [exact T|]|tauto]. exists i. split; [now left|]. destruct S as [[_ S]|[_ S]]; lra.
 Qed.
 
-Theorem flat_ridge_told_3 u w c d : (forall p, In p [u; w; c; d] -> coordinates_3 p) -> orient (at_3 u) (at_3 w) (at_3 c) (at_3 d) = 0 ->
+Theorem flat_ridge_right_3 u w c d : (forall p, In p [u; w; c; d] -> coordinates_3 p) -> orient (at_3 u) (at_3 w) (at_3 c) (at_3 d) = 0 ->
   flat_ridge_holds_3 u w c d = true <-> ((at_3 w ⊖ at_3 u) ✕ (at_3 c ⊖ at_3 u)) · ((at_3 w ⊖ at_3 u) ✕ (at_3 d ⊖ at_3 u)) < 0.
 Proof.
   intros D Z. set (e := at_3 w ⊖ at_3 u). set (p := at_3 c ⊖ at_3 u). set (q := at_3 d ⊖ at_3 u). change (vol e p q = 0) in Z.

@@ -5,7 +5,7 @@
    - filter_certifies_tetrahedron   an answer 1 with tolerance v: the tetrahedron is positive at every placement in which each
                                     point is closer than v to where it was
    - filter_certifies_sphere        the same of an empty sphere whose cells are positive at the reference and at the placement
-   - filter_certifies_bicell        with `always`: nothing is asked of the cells at the placement, they are positive there too
+   - filter_certifies_bicell        with `always`: nothing is required of the cells at the placement, they are positive there too
 
    A placement gives each vertex its point. Nothing about rounding is left to believe but that the code computes these filters. *)
 Require Import Reals Lra ZArith List Bool.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Why sign_tolerance_3_own asks for more where Lam < 0 for a partition: the half widths of the four annuli alone, with both cells known to be
+(* Why sign_tolerance_3_own requires more where Lam < 0 for a partition: the half widths of the four annuli alone, with both cells known to be
    positive at the reference and at the placement, do not certify. Found by a random search; integers. *)
 Require Import Reals Lra Psatz.
 From Annulus Require Import sign_tolerance_3.

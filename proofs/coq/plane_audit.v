@@ -15,7 +15,7 @@ From Annulus Require Import plane_mesh plane_triangulation plane_delaunay.
 Import ListNotations.
 Close Scope float_scope.
 Open Scope R_scope.
-Open Scope lazy_bool_scope.   (* &&& asks no more when it knows *)
+Open Scope lazy_bool_scope.   (* &&& stops at the first false *)
 
 (* ---- Edges ---- *)
 

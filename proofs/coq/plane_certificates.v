@@ -17,7 +17,7 @@ Definition certificates (T : mesh) : list certificate_2 :=
   map (fun r => let '(u, v, w) := r in ridge u v w) (ridges (border T)) ++
   map (fun k => let '(a, b, p, q) := k in circle a b p q) (bicells T).
 
-(* What filter_plane.v asks of ties. *)
+(* What filter_plane.v requires of ties. *)
 Lemma no_fold_local c m m' : (forall v, In v (points_2 c) -> m v = m' v) -> no_fold c m -> no_fold c m'.
 Proof. intro E. destruct c as [|u v w|]; simpl in *; trivial. rewrite <- !E by tauto. trivial. Qed.
 

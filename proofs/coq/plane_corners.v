@@ -4,7 +4,7 @@
    - corners_of_cell   of a triangle, one corner in all enters or leaves the upper half-plane
    - around            what the corners at all vertices add up to: only the border is left
    - inner_once        around an inner vertex the cells go once at least
-   - no_fewer          around a vertex of the border they enter the upper half-plane as often as its ridge asks for, at least *)
+   - no_fewer          around a vertex of the border they enter the upper half-plane as often as its ridge requires, at least *)
 Require Import Reals Lra Lia List Permutation Bool Arith.
 From Annulus Require Import sums width_2 plane_mesh plane_paths plane_border plane_winding.
 Import ListNotations.

@@ -7,7 +7,7 @@
    - by_sides        a sum over cells is one over bi-cells and the border: what two cells have in common cancels
    - covered         hence x is in as many cells as its ray crosses the border
 
-   The ray from x goes in direction d. Whether the ends of a side are to its right is told so that a ray through a vertex needs no case of its own. *)
+   The ray from x goes in direction d. Whether the ends of a side are to its right is defined so that a ray through a vertex needs no case of its own. *)
 Require Import Reals Lra Psatz List Permutation.
 From Annulus Require Import sums width_2 plane_mesh.
 Import ListNotations.

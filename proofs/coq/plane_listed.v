@@ -3,7 +3,7 @@
 
    - lists                certificates and numbers are those of the mesh
    - circles_counted      the cells that a circle counts on are among them
-   - certified_vertices   who is in a certificate is a vertex of the mesh *)
+   - certified_vertices   what is in a certificate is a vertex of the mesh *)
 From Coq Require Import Reals ZArith List Bool Lra Lia Permutation.
 From Annulus Require plane_table_glued plane_audit.
 From Annulus Require Import points_2 algorithm_list filter_plane plane_mesh plane_certificates.
@@ -62,7 +62,7 @@ Proof. intros [L _] I. apply L, in_or_app. right. apply in_or_app. left. apply i
 
 (* ---- Vertices ---- *)
 
-(* Who is in a certificate is in a cell. *)
+(* A vertex of a certificate is in a cell. *)
 Lemma side_vertices T a b c : glued T -> In (a, b, c) (flat_map shared_sides (bicells T) ++ outer T) -> vertex_of T a /\ vertex_of T b /\ vertex_of T c.
 Proof.
   intros [G _] I. apply (Permutation_in _ (Permutation_sym G)), in_flat_map in I. destruct I as ([[x y] z] & I & S).

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* How often a border winds, counted at the vertices: docs/theory.md 1.3, (1).
 
-   `rounds` is how often the cells go round an inner vertex. Of a vertex of the border `extra` are the rounds beyond what its ridge asks for.
+   `rounds` is how often the cells go round an inner vertex. Of a vertex of the border `extra` are the rounds beyond what its ridge requires.
 
    - rounds_formula   (1): the border winds once, and as often more as inner vertices have rounds beyond their first and border vertices extra ones
    - wound_once       none of these is negative (plane_corners.v), so the border winds once exactly if each inner vertex has one round, and each of the

@@ -5,7 +5,7 @@
    other side. Of the code's arrays those are left out that find a corner of a vertex, and free cells.
 
    - sound          twins are twins: each edge has two sides, with the same ends
-   - flip           Corner_table::flip, line by line; may_flip is what Flip_repair<2>::flip asks before, but for signs
+   - flip           Corner_table::flip, line by line; may_flip is what Flip_repair<2>::flip tests before, but for signs
    - flip_sound     it keeps that
    - flip_far       cells other than the two have the vertices they had *)
 From Coq Require Import List Arith Permutation Lia.

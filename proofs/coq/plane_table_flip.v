@@ -109,7 +109,7 @@ Proof. intro F. destruct (infinite_far _ F) as [A B]. apply flip_far; trivial. Q
 Lemma at_infinity_kept c : is_finite t c = false -> at_infinity (flip t h) c = at_infinity t c.
 Proof. intro F. unfold at_infinity. now rewrite !vertex_kept by exact F. Qed.
 
-(* Whoever is across an edge of a cell with infinity that has it as an end stays there. *)
+(* The vertex across an edge of a cell with infinity, if infinity is an end of the edge, stays there. *)
 Lemma twin_kept x : is_cell t (cell_of x) = true -> is_finite t (cell_of x) = false -> is_finite t (cell_of (twin t x)) = false -> twin (flip t h) x = twin t x.
 Proof.
   intros C F F'. destruct (infinite_far _ F) as [A B], (infinite_far _ F') as [A' B'].

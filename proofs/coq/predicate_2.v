@@ -2,7 +2,7 @@
 (* The whole filtered predicate in the plane: the filter in doubles, then intervals, then integers (src/annulus/predicate/batch.cpp, `all_stages`). Whichever stage
    answers, of finite doubles of the coordinate domain:
 
-   - orientation_2_told, empty_sphere_2_told    there is an answer, and it is right: a sign, 0 included; a tolerance that is at most half the least
+   - orientation_2_right, empty_sphere_2_right    there is an answer, and it is right: a sign, 0 included; a tolerance that is at most half the least
                                                 altitude or half the width
    - orientation_2_certifies, empty_sphere_2_certifies   the certificate holds in every placement in which each point is closer than that to where it was
    - triangle_answered, circle_answered         it is a verdict that filter_plane.v takes *)
@@ -24,7 +24,7 @@ Variable f : nat -> vector machine.                   (* what the code is given 
 Let ref : nat -> point_2 := fun v => at_2 (f v).      (* where that is *)
 Variable correctly_rounded : bool.
 
-Theorem orientation_2_told a b c : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
+Theorem orientation_2_right a b c : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
   right_answer (orientation_predicate correctly_rounded (f a) (f b) (f c)) (turn_at ref a b c) (half_altitude_at ref a b c) /\
   orientation_predicate correctly_rounded (f a) (f b) (f c) <> refused.
 Proof.
@@ -32,7 +32,7 @@ Proof.
   generalize (orientation_2_returned f a b c D). destruct (orientation_filter machine _ _ _ true); simpl; tauto.
 Qed.
 
-Theorem empty_sphere_2_told a b p q : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
+Theorem empty_sphere_2_right a b p q : (forall v, In v [a; b; p; q] -> coordinates_2 (f v)) ->
   right_answer (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) (incircle_at ref a b p q) (half_width_at ref a b p q) /\
   empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q) <> refused.
 Proof.
@@ -43,7 +43,7 @@ Qed.
 Theorem orientation_2_certifies a b c t (m : nat -> point_2) : (forall v, In v [a; b; c] -> coordinates_2 (f v)) ->
   orientation_predicate correctly_rounded (f a) (f b) (f c) = positive t -> (forall v, In v [a; b; c] -> dist_2 (ref v) (m v) < value t) -> 0 < turn_at m a b c.
 Proof.
-  intros D A Near. destruct (orientation_2_told a b c D) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H).
+  intros D A Near. destruct (orientation_2_right a b c D) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H).
   apply (orientation_tolerance_2 _ _ _ _ _ _ P _ _ _ _ _ _ (value t) H); [apply (Near a)|apply (Near b)|apply (Near c)]; simpl; tauto.
 Qed.
 
@@ -52,7 +52,7 @@ Theorem empty_sphere_2_certifies a b p q t (m : nat -> point_2) : (forall v, In 
   0 < turn_at ref a b q -> 0 < turn_at ref b a p -> 0 < turn_at m a b q -> 0 < turn_at m b a p ->
   (forall v, In v [a; b; p; q] -> dist_2 (ref v) (m v) < value t) -> 0 < incircle_at m a b p q.
 Proof.
-  intros D A Tq Tp Mq Mp Near. destruct (empty_sphere_2_told a b p q D) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H).
+  intros D A Tq Tp Mq Mp Near. destruct (empty_sphere_2_right a b p q D) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H).
   apply (circle_tolerance_2 _ _ _ _ _ _ _ _ Tq Tp P _ _ _ _ _ _ _ _ Mq Mp (value t) H);
     [apply (Near a)|apply (Near b)|apply (Near p)|apply (Near q)]; simpl; tauto.
 Qed.
@@ -70,7 +70,7 @@ Let ref : nat -> point_2 := fun v => at_2 (f v).
 Lemma triangle_says a b c rule r : (forall v, In v [a; b; c] -> coordinates_2 (f v)) -> says (orientation_predicate correctly_rounded (f a) (f b) (f c)) rule r ->
   0 <= r /\ float_model.F r /\ 0 < turn_at ref a b c /\ r <= half_altitude_at ref a b c \/ r = 0 /\ turn_at ref a b c = 0 /\ rule.
 Proof.
-  intros D S. destruct (orientation_2_told f correctly_rounded a b c D) as [R _]. revert R S. destruct (orientation_predicate _ _ _ _) as [|t|t|t]; simpl; try contradiction.
+  intros D S. destruct (orientation_2_right f correctly_rounded a b c D) as [R _]. revert R S. destruct (orientation_predicate _ _ _ _) as [|t|t|t]; simpl; try contradiction.
   - intros Z [Q ->]. right. auto.
   - intros (_ & P & H0 & H) ->. left. split; [exact H0|]. split; [apply value_format|auto].
 Qed.
@@ -89,7 +89,7 @@ Theorem circle_answered a b p q r : (forall v, In v [a; b; p; q] -> coordinates_
   0 < turn_at ref a b q -> 0 < turn_at ref b a p ->
   says (empty_sphere_predicate correctly_rounded (f a) (f b) (f p) (f q)) (tie (circle a b p q) ref) r -> answered ref (@Build_verdict Plane i (circle a b p q) r).
 Proof.
-  intros D Tq Tp S. destruct (empty_sphere_2_told f correctly_rounded a b p q D) as [R _]. revert R S.
+  intros D Tq Tp S. destruct (empty_sphere_2_right f correctly_rounded a b p q D) as [R _]. revert R S.
   destruct (empty_sphere_predicate _ _ _ _ _) as [|t|t|t]; simpl; try contradiction.
   - intros Z [Q ->]. right. split; [reflexivity|]. right. now split.
   - intros (_ & P & H0 & H) ->. left. split; [exact H0|]. split; [apply value_format|]. split; [left; exact P|].

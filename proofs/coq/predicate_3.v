@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The whole filtered predicate in space, as predicate_2.v: whichever stage answers, of finite doubles of the coordinate domain.
 
-   - orientation_3_told, empty_sphere_3_told        there is an answer, and it is right: a sign, 0 included; a tolerance that is at most the half widths
+   - orientation_3_right, empty_sphere_3_right        there is an answer, and it is right: a sign, 0 included; a tolerance that is at most the half widths
    - orientation_3_certifies, empty_sphere_3_certifies   the certificate holds in every placement in which each point is closer than that to where it
                                                          was; of an empty sphere: while its cells are positive
-   - bicell_3_certifies                             with the cells' widths always in it: nothing is asked of the cells at the placement *)
+   - bicell_3_certifies                             with the cells' widths always in it: nothing is required of the cells at the placement *)
 From Coq Require Import Reals Lra.
 From Coq Require Import Floats.
 From Annulus Require Import vectors bicell tetrahedron sign_tolerance_3.
@@ -25,7 +25,7 @@ Let x : corners := fun k => at_3 (f k).      (* where that is *)
 Variable correctly_rounded : bool.
 Let answer := orientation_predicate_3 correctly_rounded (f o) (f tetrahedron.u) (f v) (f w).
 
-Theorem orientation_3_told : right_answer answer (volume x) (half_width_simplex x) /\ answer <> refused.
+Theorem orientation_3_right : right_answer answer (volume x) (half_width_simplex x) /\ answer <> refused.
 Proof.
   destruct (orientation_3_exact_returned f) as [E N]. apply stages_right; trivial; [|now apply orientation_3_interval_returned].
   generalize (orientation_3_returned f domain). destruct (orientation_filter_3 machine _ _ _ _ true); simpl; tauto.
@@ -33,7 +33,7 @@ Qed.
 
 Theorem orientation_3_certifies tolerance (y : corners) : answer = positive tolerance -> (forall k, norm (y k ⊖ x k) < value tolerance) -> 0 < volume y.
 Proof.
-  intros A Near. destruct orientation_3_told as [R _]. rewrite A in R. destruct R as (_ & P & _ & H). exact (orientation_tolerance x y (value tolerance) P H Near).
+  intros A Near. destruct orientation_3_right as [R _]. rewrite A in R. destruct R as (_ & P & _ & H). exact (orientation_tolerance x y (value tolerance) P H Near).
 Qed.
 End orientation.
 
@@ -47,7 +47,7 @@ Definition sphere_predicate (use : cells) := empty_sphere_predicate_3 correctly_
 Lemma right_weaker r det' w : right_answer r det' w -> right_answer r det' (Rmax 0 w).
 Proof. destruct r; simpl; trivial. intros (F & P & L & U). repeat split; trivial. apply Rle_trans with (1 := U), Rmax_r. Qed.
 
-Theorem empty_sphere_3_told use : right_answer (sphere_predicate use) (det x) (Rmax 0 (certified_width use x)) /\ sphere_predicate use <> refused.
+Theorem empty_sphere_3_right use : right_answer (sphere_predicate use) (det x) (Rmax 0 (certified_width use x)) /\ sphere_predicate use <> refused.
 Proof.
   destruct (empty_sphere_3_exact_returned f use) as [E N]. apply stages_right; trivial; apply right_weaker; [|now apply empty_sphere_3_interval_returned].
   generalize (empty_sphere_3_returned f domain use). fold (sphere_answer f use). destruct (sphere_answer f use); simpl; try tauto.
@@ -57,7 +57,7 @@ Qed.
 Lemma taken_width use tolerance (y : placement) : sphere_predicate use = positive tolerance -> (forall k, norm (y k ⊖ x k) < value tolerance) ->
   0 < det x /\ value tolerance <= certified_width use x.
 Proof.
-  intros A Near. destruct (empty_sphere_3_told use) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H). split; [exact P|].
+  intros A Near. destruct (empty_sphere_3_right use) as [R _]. rewrite A in R. destruct R as (_ & P & _ & H). split; [exact P|].
   generalize (Near a) (norm_nonneg (y a ⊖ x a)). revert H. unfold Rmax. destruct (Rle_dec 0 _); lra.
 Qed.
 

@@ -5,7 +5,7 @@
    - orientation_3_returned, empty_sphere_3_returned   a sign is right; a tolerance is a finite number, at most the half widths
    - orientation_3_returned_certifies    every placement in which each point is closer than the tolerance to where it was is positive
    - empty_sphere_3_returned_certifies   the same of an empty sphere whose cells are positive at the reference and at the placement
-   - bicell_3_returned_certifies         with the cells' widths always in it: nothing is asked of the cells at the placement *)
+   - bicell_3_returned_certifies         with the cells' widths always in it: nothing is required of the cells at the placement *)
 From Coq Require Import Reals ZArith Lra.
 From Flocq Require Import Core.
 From Coq Require Import Floats.

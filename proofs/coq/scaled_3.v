@@ -91,7 +91,7 @@ End scale.
 Definition certified_width (use : cells) (x : placement) : R :=
   match use with never => annuli_half_width x | where_needed => own_tolerance_3 x | always => tolerance_3 x end.
 
-(* With the cells wherever they are asked for, and where one of three sides is not certainly positive. *)
+(* With the cells wherever they are requested, and where one of three sides is not certainly positive. *)
 Theorem certified_width_is (use : cells) (taken : bool) x s : (use = always -> taken = true) ->
   (use = where_needed -> taken = false -> 0 < Lam x cpq /\ 0 < Lam x bpq /\ 0 < Lam x apq) ->
   s <= annuli_half_width x -> (taken = true -> s <= cells_half_width x) -> s <= certified_width use x.

@@ -6,8 +6,8 @@
    orientation_tolerance_2   a triangle, every corner closer than half its least altitude
    orientation_attained_2    there is a flat placement at exactly that distance
    circle_certified_2        an empty circle, unequal moves of its two sides; the triangles being positive at the placement
-   circle_tolerance_2        the same with every point closer than half the width: what the code asks of a bi-cell's own record
-   sign_tolerance_2          all three half widths from one reference: nothing is asked of the triangles at the placement
+   circle_tolerance_2        the same with every point closer than half the width: what the code requires of a bi-cell's own record
+   sign_tolerance_2          all three half widths from one reference: nothing is required of the triangles at the placement
    sum_of_centres            the plane's N is a sum over B of 2 lambda_i times circumcentres, as in bicell.v *)
 Require Import Reals Lra Psatz Rgeom.
 From Annulus Require Import vectors motion width_2.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Certificates of the plane by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp asks them of doubles.
+(* Certificates of the plane by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp evaluates them on doubles.
 
    - turns_left, keeps_out, signed   a sign is that of the prepared circle of a triangle, its corners in whichever order the table has them, or of
                                      the exact stages; an answer 0 stands for a circle, or for a straight piece of the border where coordinates say so
@@ -19,7 +19,7 @@ Definition prepared (f : doubles) (t : nat * nat * nat) : circumcircle machine :
 Definition turns_left (f : doubles) (t : nat * nat * nat) : Prop :=
   circle_positive machine (prepared f t) = true \/ (let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c)) = 1%Z.
 Definition straight (f : doubles) (t : nat * nat * nat) : Prop := let '(a, b, c) := t in exact_orientation_sign (f a) (f b) (f c) = 0%Z.
-(* test_cell, sphere_sign, is_violated: the cell a b q has p outside of its circle, asked alone or with others, or on it. *)
+(* test_cell, sphere_sign, is_violated: the cell a b q has p outside of its circle, evaluated alone or with others, or on it. *)
 Definition keeps_out (f : doubles) (a b p q : nat) : Prop :=
   (exists t, In t (sides (a, b, q)) /\
     (circle_positive machine (prepared f t) = true /\ excludes machine (prepared f t) (f p) = true \/
@@ -74,7 +74,7 @@ Proof.
   - intros (t & I & H). assert (E := side_turn u v w t I). destruct H as [H|[H F]].
     + left. apply turns_left_right in H. destruct t as [[? ?] ?]. now rewrite <- E.
     + right. assert (Z : turn_at m u v w = 0) by (apply straight_right in H; destruct t as [[? ?] ?]; now rewrite <- E).
-      split; [exact Z|]. now apply flat_ridge_told.
+      split; [exact Z|]. now apply flat_ridge_right.
   - intro H. assert (P : 0 <= incircle_at m a b p q).
     { destruct H as [H|H]; apply keeps_out_right in H; [exact H|]. replace (incircle_at m a b p q) with (incircle_at m b a q p); [exact H|].
       unfold incircle_at, width_2.incircle, width_2.turn. ring. }

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* signed_2.v in space: certificates by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp asks them of doubles.
+(* signed_2.v in space: certificates by signs alone, without tolerances, as src/annulus/engine/sign_evaluator.cpp evaluates them on doubles.
 
    - turns_left_3, keeps_out_3, signed_3   a sign is that of the prepared sphere of a cell, its corners in whichever order the table has them, or of the
                                            exact stages; an answer 0 stands for a sphere, or for a flat piece of the border where the rule says so
@@ -22,7 +22,7 @@ Definition prepared_3 (f : doubles_3) (t : nat * nat * nat * nat) : filter_3.cir
 Definition turns_left_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop :=
   sphere_positive machine (prepared_3 f t) = true \/ (let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d)) = 1%Z.
 Definition flat_3 (f : doubles_3) (t : nat * nat * nat * nat) : Prop := let '(a, b, c, d) := t in exact_orientation_sign_3 (f a) (f b) (f c) (f d) = 0%Z.
-(* test_cell, sphere_sign, is_violated: the cell a b c q has p outside of its sphere, asked alone or with others, or on it. *)
+(* test_cell, sphere_sign, is_violated: the cell a b c q has p outside of its sphere, evaluated alone or with others, or on it. *)
 Definition keeps_out_3 (f : doubles_3) (a b c p q : nat) : Prop :=
   (exists t, same_cell (a, b, c, q) t /\
     (sphere_positive machine (prepared_3 f t) = true /\ excludes_3 machine (prepared_3 f t) (f p) = true \/
@@ -106,7 +106,7 @@ Proof.
   - intros (t & I & H). assert (E := order_volume u w c d t I). destruct H as [H|[H F]].
     + left. apply turns_left_3_right in H. destruct t as [[[? ?] ?] ?]. now rewrite <- E.
     + right. assert (Z : orient_at m u w c d = 0) by (apply flat_3_right in H; destruct t as [[[? ?] ?] ?]; now rewrite <- E).
-      split; [exact Z|]. apply flat_ridge_told_3; trivial. intros v [<-|[<-|[<-|[<-|[]]]]]; apply domain.
+      split; [exact Z|]. apply flat_ridge_right_3; trivial. intros v [<-|[<-|[<-|[<-|[]]]]]; apply domain.
   - intro H. assert (P : 0 <= insphere_at m a b c p q) by (destruct H as [H|H]; apply keeps_out_3_right in H; [exact H|now rewrite other_side in H]).
     destruct P as [P|P]; [now left|right]. split; [now symmetry|exact I].
 Qed.

@@ -153,7 +153,7 @@ Proof.
     rewrite greater_Rmax. apply float_model.F_max; apply largest_format.
 Qed.
 
-(* In the range m is as the analysis wants it. *)
+(* In the range m is as the analysis requires. *)
 Lemma range_bounds : forall r, float_model.F r -> in_range rounded r = true -> power (-120) <= r <= power 120.
 Proof.
   intros r F H. split; [|now apply range_bound]. apply (float_filter.in_range_lower 120); [lia|exact F|].

@@ -89,7 +89,7 @@ Lemma constants_signs_3 :
   float_error.error_below [] E_outside 5 (128 * float_error.one) (128 * float_error.one) (2244 * float_filter.half_u) = false.
 Proof. split; [|split]; [vm_cast_no_check (eq_refl true)|vm_cast_no_check (eq_refl true)|vm_cast_no_check (eq_refl false)]. Qed.
 
-(* The five points, p as the one that is asked about. *)
+(* The five points, p as the one that is tested. *)
 Definition five (a b c d p : vectors.vec) : bicell.placement :=
   fun k => match k with bicell.a => a | bicell.b => b | bicell.c => c | bicell.p => p | bicell.q => d end.
 (* Six times the volume of the cell; positive where p is outside of its sphere. *)

@@ -1,10 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What one call of the program may be in space: plane_calls.v without the mesh, of which it asks only that its certificates have numbers and that the
+(* What one call of the program may be in space: plane_calls.v without the mesh, of which it requires only that its certificates have numbers and that the
    cells of each sphere are among them (`complete`).
 
    - evaluates_3         what Repair does: it evaluates all pending certificates that are there, and all certificates of cells that it touched
    - space_call          what one call may be
-   - evaluates_repaired_3   what Repair does is what the model of the filter asks of it (`repaired`)
+   - evaluates_repaired_3   what Repair does is what the model of the filter requires of it (`repaired`)
    - space_calls_are_calls  hence after any number of such calls every certificate holds (filter_delaunay_3.v) *)
 From Coq Require Import Reals ZArith List.
 From Annulus Require Import vectors filter_doubles returned_3 algorithm_list algorithm_filter algorithm_check algorithm_step algorithm_run filter_world filter_space.
@@ -16,22 +16,22 @@ Section calls.
 Context {o : options}.
 #[local] Existing Instance the_space.
 
-(* Who comes is put where the doubles say. *)
+(* An inserted vertex is put where the doubles say. *)
 Definition placed_3 (f : doubles_3) (newcomers : list nat) : list (vertex * position) := map (fun v => (v, at_doubles_3 f v)) newcomers.
 Record complete (m : Z -> option certificate_3) : Prop := {
   numbers_are_ids : forall i c, m i = Some c -> is_id i;
   cells_are_there : forall i c d, m i = Some c -> counts_on_3 d c -> exists j, m j = Some d }.
 (* Repair::evaluate and holds_after_flips, when they say yes. `touched`: the numbers of cells that were made or changed, and of their facets. *)
 Record evaluates_3 (f : doubles_3) (old new : Z -> option certificate_3) (pending touched : list Z) (verdicts : list verdict) : Prop := {
-  each_told_3 : forall k, In k verdicts -> new (id k) = Some (of k) /\ told_in_space f k;
+  each_answered_3 : forall k, In k verdicts -> new (id k) = Some (of k) /\ is_answer_in_space f k;
   none_left_3 : forall i c, In i pending \/ In i touched -> new i = Some c -> In i (map id verdicts);
   others_same_3 : forall i, ~ In i touched -> new i = old i }.
 
 Inductive space_call : system -> system -> Prop :=
-  (* move, move_all: everybody passes *)
+  (* move, move_all: all vertices pass *)
   | all_pass_3 s f movers : (forall v, coordinates_3 (f v)) -> covered s (at_doubles_3 f) movers -> find_failed s (at_doubles_3 f) movers = [] ->
       space_call {| of_filter := s; tracks := true |} {| of_filter := move_to (at_doubles_3 f) s; tracks := true |}
-  (* somebody fails: evaluated, flipped or built anew, and evaluated again *)
+  (* some vertex fails: evaluated, flipped or rebuilt, and evaluated again *)
   | step_3 s f movers m touched verdicts : (forall v, coordinates_3 (f v)) -> covered s (at_doubles_3 f) movers ->
       (let (u, pending) := find_expired s (at_doubles_3 f) (find_failed s (at_doubles_3 f) movers) in
        evaluates_3 f (algorithm_filter.mesh u) m pending touched verdicts) -> complete m ->
@@ -80,9 +80,9 @@ Proof.
     destruct (in_dec Z.eq_dec i touched) as [C|C]; [left; apply (Left i c); auto|right]. rewrite <- (Same i C). now split. }
   assert (P : forall i a b c d, m i = Some (least_first_3 a b c d) -> 0 < orient_at (at_doubles_3 f) a b c d).
   { intros i a b c d M. destruct (Known _ _ M) as [I|[I N]]; [|now apply (Old i)]. apply in_map_iff in I. destruct I as (k & <- & K).
-    destruct (Told k K) as [M' H]. apply (told_cell_3 f k); trivial. congruence. }
+    destruct (Told k K) as [M' H]. apply (answer_cell_3 f k); trivial. congruence. }
   split; [|exact Known|exact Ids|exact Cells].
-  intros k K. destruct (Told k K) as [M H]. split; [exact M|]. apply told_evaluated_3; trivial. unfold its_cells_positive.
+  intros k K. destruct (Told k K) as [M H]. split; [exact M|]. apply answer_evaluated_3; trivial. unfold its_cells_positive.
   destruct (of k) as [| |a b c p q] eqn:E; trivial.
   assert (Q : forall u v w x, counts_on_3 (least_first_3 u v w x) (sphere a b c p q) -> 0 < orient_at (at_doubles_3 f) u v w x)
     by (intros u v w x Q; destruct (Cells _ _ _ M Q) as (j & J); exact (P j _ _ _ _ J)).
@@ -91,8 +91,8 @@ Qed.
 
 Lemma start_recomputes_3 f m verdicts : start_in_space f m verdicts -> recomputed_by (at_doubles_3 f) m verdicts.
 Proof.
-  intro St. split; [|intros i c M; left; now apply (all_told_3 _ _ _ St i c)|exact (ids_3 _ _ _ St)|exact (with_cells_3 _ _ _ St)].
-  intros k K. split; [now apply (told_right_3 _ _ _ St)|]. apply (verdict_evaluated_3 _ _ _ no_fold_3 no_fold_3_local). now apply (start_answered_3 f m verdicts).
+  intro St. split; [|intros i c M; left; now apply (all_answered_3 _ _ _ St i c)|exact (ids_3 _ _ _ St)|exact (with_cells_3 _ _ _ St)].
+  intros k K. split; [now apply (answers_right_3 _ _ _ St)|]. apply (verdict_evaluated_3 _ _ _ no_fold_3 no_fold_3_local). now apply (start_answered_3 f m verdicts).
 Qed.
 
 Theorem space_call_is_call y z : right y -> space_call y z -> call y z.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Lemma 3 of docs/theory.md 1.2, from the signs of the code (mesh/border_3.cpp). What is seen from (e^2, e, 1), e as small as need be, is told without e.
+(* Lemma 3 of docs/theory.md 1.2, from the signs of the code (mesh/border_3.cpp). What is seen from (e^2, e, 1), e as small as need be, is decided without e.
 
    - border_known_3     a border that falls into sheets that face to the one side and to the other, with convex ridges and one silhouette that turns
                         left and winds once, has no vertex beyond a facet; and some point is in one cell only

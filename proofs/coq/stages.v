@@ -9,7 +9,7 @@ Close Scope float_scope.
 Open Scope R_scope.
 
 Definition or_else {T} (first second : answer T) : answer T := match first with refused => second | _ => first end.
-(* In the mode `correctly_rounded` a positive answer is asked of the exact stage again. *)
+(* In the mode `correctly_rounded` a positive answer is computed again by the exact stage. *)
 Definition staged {T} (correctly_rounded : bool) (filter interval exact : answer T) : answer T :=
   let first := or_else filter (or_else interval exact) in
   match first with positive _ => if correctly_rounded then exact else first | _ => first end.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Vectors of space: products, the norm, and what the other files need to know of them. *)
+(* Vectors of space: products, the norm, and what the other files need of them. *)
 Require Import Reals Lra Psatz.
 Open Scope R_scope.
 

@@ -3,7 +3,7 @@
 
    - pentagon_delaunay      in their order all conditions of plane_delaunay hold
    - winding_needed         every other one: all cells are positive, the border turns left, all circles are empty, and the mesh is not Delaunay.
-                            So it winds twice, and nobody who compares signs alone can tell *)
+                            So it winds twice, which a comparison of signs alone cannot show *)
 Require Import Reals Lra List Permutation Bool Arith.
 From Annulus Require Import width_2 plane_mesh plane_heights plane_triangulation plane_delaunay.
 Import ListNotations.

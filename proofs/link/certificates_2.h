@@ -9,8 +9,8 @@
 
 namespace annulus::link {
 
-/// One certificate, as vectors.cpp wants it: points, what the filter computes on the way (the bounds as it forms them
-/// from m; constants are folded exactly, so their order cannot be told apart), and the answers of all stages.
+/// One certificate, as vectors.cpp needs it: points, what the filter computes on the way (the bounds as it forms them
+/// from m; constants are folded exactly, so their order cannot be distinguished), and the answers of all stages.
 struct Orientation_2 {
     static constexpr int d = 2;
     static constexpr std::size_t points = 3;

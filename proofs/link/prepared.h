@@ -43,7 +43,7 @@ template struct Opened<Outside_3, &Circumsphere_3::outside_of>;
 /// One row: the corners and two points, what is prepared, the determinants with their m, and the answers for the
 /// first point and for both.
 template <class Outside, class Extent, class Sphere, class Point>
-void asked(Row& row, const Sphere& k, const Point& p, const Point& r) {
+void write_answers(Row& row, const Sphere& k, const Point& p, const Point& r) {
     for (const Point& x : {p, r}) {
         double m = k.*open(Extent{});
         const double outside = (k.*open(Outside{}))(x, m);
@@ -64,7 +64,7 @@ inline void prepared_2(std::size_t count) {
         row.points(std::array{x[0], x[1], x[3], x[2], r});
         const Vector_2<double>& n = k.*open(Normal_2{});
         row.numbers({n.x, n.y, k.*open(Area_2{}), k.*open(Extent_2{})});
-        asked<Outside_2, Extent_2>(row, k, x[2], r);
+        write_answers<Outside_2, Extent_2>(row, k, x[2], r);
     }
 }
 
@@ -77,7 +77,7 @@ inline void prepared_3(std::size_t count) {
         row.points(std::array{x[0], x[1], x[2], x[4], x[3], r});
         const Vector_3<double>& n = k.*open(Normal_3{});
         row.numbers({n.x, n.y, n.z, k.*open(Volume_3{}), k.*open(Extent_3{})});
-        asked<Outside_3, Extent_3>(row, k, x[3], r);
+        write_answers<Outside_3, Extent_3>(row, k, x[3], r);
     }
 }
 

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The program of algorithm_filter.v with the numbers of the machine: Coq's primitive floats, so that it can be run. Nothing of the program is written
-   again here, only the arithmetic that a `world` asks for, as displacement.h, truncated_double.h and displacement budgets*.cpp have it, in any
+   again here, only the arithmetic that a `world` requires, as displacement.h, truncated_double.h and displacement budgets*.cpp have it, in any
    dimension; machine_rounds.v ties it to that of filter_plane.v. Positions are lists of coordinates, vertices are numbers and a
    certificate is its points.
 

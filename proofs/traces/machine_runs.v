@@ -18,7 +18,7 @@ Close Scope float_scope.
 Open Scope R_scope.
 #[local] Opaque bpow.
 
-(* What a call does, given what Repair, CGAL and the caller decide. Everybody passes; a step; one that is refused; vertices come; all is recomputed; signs
+(* What a call does, given what Repair, CGAL and the caller decide. All vertices pass; a step; one that is refused; vertices are inserted; all is recomputed; signs
    alone; tolerances are given up. *)
 Section deeds.
 Context {W : world}.

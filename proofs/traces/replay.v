@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the engine told of a history (trace.h), replayed: the program of algorithm_filter.v, run on the numbers of the machine (machine.v), has to
+(* What the engine reported of a history (trace.h), replayed: the program of algorithm_filter.v, run on the numbers of the machine (machine.v), has to
    decide the same, bit for bit. What is given is where vertices go, which certificates Repair evaluated or took away,
    and what a star walk goes round. What is computed and compared:
 
-   - test       who passes the test of a step and who fails                                     find_failed, passes
+   - test       which vertices pass the test of a step, and which fail                  find_failed, passes
    - stamp      the stamp of the step, and that all are cleared where they wrap                 begin_anchoring
    - anchor     the bases of those that failed                                                  anchor
    - examine    of each of these: what is taken from its list, whether there is a star walk, pending certificates, the list that is left     examine
@@ -13,10 +13,10 @@
    - finish     whether a vertex is rebased, its base, threshold and list                       finish
    - recompute, place  thresholds and lists after a recomputation; a new vertex                         set_room, place
    - over       every pending certificate was evaluated or is gone; no certificate is without a record
-   - asked      vertices are where they were tested
+   - requested  vertices are where they were tested
 
-   A step that was begun has come to an end, and everyone who failed was looked at, before the next is tested or begun (`progress`); a call that
-   failed has left nobody anchored. While no tolerances are kept, nothing is tested.
+   A step that was begun has come to an end, and every vertex that failed was examined, before the next is tested or begun (`progress`); a call that
+   failed has left no vertex anchored. While no tolerances are kept, nothing is tested.
 
    The state is the replay's own: nothing of it is read from the trace. *)
 From Coq Require Import PArray Uint63 Floats Reals ZArith Bool FMapPositive List.
@@ -34,7 +34,7 @@ Variables (dimension : nat) (h : horizons).
 Definition place_of : reader machine.point := times dimension real_number.
 
 Record known := { of_points : list Z; expiries : list (Z * Z) }.
-(* Where a step is. open: vertices failed, or cells changed, and what became of it is not told; unexamined: anchored, to be looked at; keeps_tolerances: there are tolerances. *)
+(* Where a step is. open: vertices failed, or cells changed, and what became of it is not reported; unexamined: anchored, to be looked at; keeps_tolerances: there are tolerances. *)
 Record progress := { open : bool; unexamined : list Z; tracks : bool }.
 Definition at_rest : progress := {| open := false; unexamined := []; tracks := true |}.
 Record system := {
@@ -90,7 +90,7 @@ Definition with_course (y : system) c : system := {| vertices := vertices y; cer
   stamped := stamped y; recomputing := recomputing y; failed := failed y; before := before y; waiting := waiting y; pending := pending y; course := c;
   decisions := decisions y |}.
 Definition to_examine (y : system) (l : list Z) : system := with_course y {| open := open (course y); unexamined := l; tracks := tracks (course y) |}.
-Definition nobody (l : list Z) : bool := match l with [] => true | _ => false end.
+Definition is_nil (l : list Z) : bool := match l with [] => true | _ => false end.
 Definition with_targets (y : system) g l : system := {| vertices := vertices y; certificates := certificates y; targets := g; lives := l;
   stamped := stamped y; recomputing := recomputing y; failed := failed y; before := before y; waiting := waiting y; pending := pending y; course := course y;
   decisions := decisions y |}.
@@ -104,7 +104,7 @@ Definition beginning (y : system) (b : bool) : system := {| vertices := if b the
 
 Definition same_expiries (l : expiry_list) (r : Z) (es : list Z) : bool :=
   (rest l =? r) && all2 Z.eqb (filter (fun e => negb (e =? empty_entry)) (entries l)) es.
-Definition expiries_told : reader (Z * list Z) := pair number (many number).
+Definition expiries_read : reader (Z * list Z) := pair number (many number).
 Definition size {A} (l : list A) : Z := Z.of_nat (length l).
 Fixpoint insert (v : Z) (l : list Z) : list Z :=
   match l with [] => [v] | w :: l' => if v <? w then v :: l else if v =? w then l else w :: insert v l' end.
@@ -118,30 +118,30 @@ Definition places (y : system) : reader system :=
 Definition gone (y : system) : reader system := l <- many number; ret (with_targets y (targets y) (without (lives y) l)).
 
 Definition recompute_ (y : system) : reader system :=
-  l <- many (pair number (pair number expiries_told));
+  l <- many (pair number (pair number expiries_read));
   let judged v t r es := let o := set_room (at_ (now y) v) in same (room o) (value_of t) && same_expiries (listing o) r es in
   must 5 (all2 Z.eqb (map fst l) (lives y) && forallb (fun '(v, (t, (r, es))) => judged v t r es) l)
   (let m := fold_left (fun m '(v, _) => add v (set_room (at_ (now y) v)) m) l (vertices y) in
    ret (beginning (with_vertices y m [] (2 * size l)) false)).
 
 Definition test (y : system) : reader system :=
-  mover <- number; told <- many number;
+  mover <- number; reported <- many number;
   let movers := if mover =? 0 then lives y else [mover - 1] in
-  must 6 (tracks (course y) && negb (open (course y)) && all2 Z.eqb (find_failed (now y) (x_of y) movers) told)
-  (ret (with_course (with_step y (stamped y) told (before y) (size movers)) {| open := negb (nobody told); unexamined := []; tracks := true |})).
+  must 6 (tracks (course y) && negb (open (course y)) && all2 Z.eqb (find_failed (now y) (x_of y) movers) reported)
+  (ret (with_course (with_step y (stamped y) reported (before y) (size movers)) {| open := negb (is_nil reported); unexamined := []; tracks := true |})).
 
 Definition stamp_ (y : system) : reader system :=
   e <- number;
   let t := begin_anchoring (now y) in
   let m := if stamped y =? stamps then PositiveMap.mapi (fun k _ => at_ t (Zpos k - 1)) (vertices y) else vertices y in
-  must 7 ((epoch t =? e) && nobody (waiting y) && nobody (pending y) && nobody (unexamined (course y)))
+  must 7 ((epoch t =? e) && is_nil (waiting y) && is_nil (pending y) && is_nil (unexamined (course y)))
   (ret (with_course (with_open (with_step (with_vertices y m [] 1) e (failed y) m 0) []) {| open := true; unexamined := []; tracks := true |})).
 
-Definition anchor_one (y : option system) (told : Z * float) : option system :=
+Definition anchor_one (y : option system) (reported : Z * float) : option system :=
   match y with
   | None => None
   | Some y =>
-      let '(v, b) := told in
+      let '(v, b) := reported in
       let t := anchor (x_of y) (now y) v in
       if same (base (at_ t v)) b then Some (with_vertices y (keep t [v] (vertices y)) (waiting y ++ anchored t) 1) else None
   end.
@@ -151,7 +151,7 @@ Definition anchor_ (y : system) : reader system :=
   (match fold_left anchor_one l (Some y) with Some z => ret (to_examine z (map fst l)) | None => must 8 false (ret y) end).
 
 Definition examine_ (y : system) : reader system :=
-  v <- number; walked <- number; round <- many number; named <- many number; '(r, es) <- expiries_told;
+  v <- number; walked <- number; round <- many number; named <- many number; '(r, es) <- expiries_read;
   let s := state_of y v round in
   let l0 := listing (at_ s v) in
   let path_length := half (base (at_ s v)) in
@@ -168,7 +168,7 @@ Definition undo_ (y : system) : reader system :=
 
 Definition mend_ (y : system) : reader system :=
   l <- many number;
-  must 11 (nobody (unexamined (course y))) (ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (pending y) l))).
+  must 11 (is_nil (unexamined (course y))) (ret (with_open (with_certificates y (fold_left (fun m i => PositiveMap.remove (key i) m) l (certificates y))) (without (pending y) l))).
 
 (* The record of certificate i as an operation left it. *)
 Definition kept_record (t : state) (i : Z) (points : list Z) : known := {| of_points := points; expiries := map (fun v => (v, expiry (record t i) v)) points |}.
@@ -186,7 +186,7 @@ Definition write (y : system) : reader system :=
   (let z := after y t i kept in ret (with_open z (without (pending z) [i]))).
 
 Definition finish_ (y : system) : reader system :=
-  v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_told;
+  v <- number; rebased <- number; round <- many number; b <- real_number; t <- number; '(r, es) <- expiries_read;
   let s := state_of y v round in let o := at_ s v in
   let u := finish s v in let o' := at_ u v in
   must 13 (match waiting y with w :: _ => w =? v | [] => false end &&
@@ -205,8 +205,8 @@ Definition untracked_ (y : system) : reader system :=
   ret (with_course (with_open (with_vertices y (vertices y) [] 0) []) {| open := false; unexamined := []; tracks := false |}).
 Definition failed_ (y : system) : reader system :=
   let c := course y in
-  must 17 (nobody (waiting y) && nobody (unexamined c)) (ret (with_course y {| open := false; unexamined := []; tracks := tracks c |})).
-(* A call that succeeded: vertices are where it was asked to have them, and that is where they were tested. *)
+  must 17 (is_nil (waiting y) && is_nil (unexamined c)) (ret (with_course y {| open := false; unexamined := []; tracks := tracks c |})).
+(* A call that succeeded: vertices are where they were to go, and that is where they were tested. *)
 Definition asked_ (y : system) : reader system :=
   l <- many (pair number place_of);
   must 18 (negb (tracks (course y)) || forallb (fun '(v, p) => all2 same (x_of y v) p) l) (ret y).

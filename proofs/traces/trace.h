@@ -36,22 +36,22 @@ struct Trace {
         place,        ///< vertex, position: it is new
         untracked,    ///< a step without tolerances
         failed,       ///< a call ended in an error (traces.cpp)
-        asked,        ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
+        requested,    ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
     };
     static constexpr std::uint64_t minus = (std::uint64_t{1} << 63) - 1;
 
     static inline bool on = false;
     static inline std::vector<std::uint64_t> words;
 
-    // What has been told.
+    // What has been recorded.
     template <int d>
-    struct Told {
+    struct Recorded {
         std::vector<Coordinates<d>> position;
         std::vector<char> lives;
         std::map<Certificate_id, std::vector<Index>> points;  // of certificates
     };
     template <int d>
-    static inline Told<d> told;
+    static inline Recorded<d> recorded;
     static inline std::vector<std::uint64_t> pending, around;  // of one vertex
     static inline bool has_walked = false, has_rebased = false;
 
@@ -79,17 +79,17 @@ struct Trace {
     }
     static std::size_t at(Index v) { return static_cast<std::size_t>(v); }
 
-    /// Another engine: nothing has been told of it.
+    /// Another engine: nothing has been recorded of it.
     template <int d>
     static void start() {
-        told<d> = {};
+        recorded<d> = {};
         word(history);
         word(d);
     }
 
     template <int d>
     static void tell_positions(const Displacement_budget<d>& o, std::span<const Coordinates<d>> x) {
-        Told<d>& t = told<d>;
+        Recorded<d>& t = recorded<d>;
         std::vector<Index> changed, left;
         t.position.resize(std::max(t.position.size(), x.size()));
         t.lives.resize(t.position.size());
@@ -125,7 +125,7 @@ struct Trace {
     template <int d>
     static void begun(const Displacement_budget<d>& o, std::span<const Coordinates<d>> x) {
         if (!on) return;
-        told<d> = {};
+        recorded<d> = {};
         word(begin);
         tell_positions(o, x);
     }
@@ -168,7 +168,7 @@ struct Trace {
     static void passed(const Displacement_budget<d>& o, Index v, const Coordinates<d>& p) {
         untracking(o);
         if (!on || !o.kept()) return;
-        told<d>.position[at(v)] = p;
+        recorded<d>.position[at(v)] = p;
         word(places);
         word(1);
         vertex(v);
@@ -248,20 +248,20 @@ struct Trace {
     static void committing(const Displacement_budget<d>& o, const Certificate_checker<d>&) {
         if (!on) return;
         std::vector<std::uint64_t> lost;
-        for (const auto& [id, points] : told<d>.points)
+        for (const auto& [id, points] : recorded<d>.points)
             if (present(o.table_, id) != points) lost.push_back(id);
-        for (const std::uint64_t id : lost) told<d>.points.erase(static_cast<Certificate_id>(id));
+        for (const std::uint64_t id : lost) recorded<d>.points.erase(static_cast<Certificate_id>(id));
         word(replaced);
         list(lost);
     }
     template <int d, class S, class Expiry_of>
     static void written(const Displacement_budget<d>& o, const S& s, Certificate_id id, Expiry_of expiry_of) {
         if (!on) return;
-        told<d>.points[id] = listed<d>(s.point);
+        recorded<d>.points[id] = listed<d>(s.point);
         word(write);
         word(id);
         number(s.value.tolerance);
-        word(told<d>.points[id].size());
+        word(recorded<d>.points[id].size());
         for (std::size_t k = 0; k < s.point.size(); ++k) {
             if (s.point[k].vertex == none) continue;
             vertex(s.point[k].vertex);

@@ -3,7 +3,7 @@
 //
 // Histories of triangulations that move, in the plane and in space, under `tolerances` and `tolerances-each`: steps of
 // all vertices, of some, of one, insertions, removals, tolerance_recomputations, calls that fail. Compiled with
-// ANNULUS_TRACE the engine tells what it decided (trace.h); a line is what it told of one history, as hexadecimal
+// ANNULUS_TRACE the engine reports what it decided (trace.h); a line is what it reported of one history, as hexadecimal
 // words, after two for the dimension and the bounds in use. Lines that begin with `table` are triangulations of the
 // plane as they are after a call (audits.v). Ends when so many words have been written; on stderr how often what
 // occurred.
@@ -94,28 +94,28 @@ struct History {
         }
     }
 
-    // Moves, and that they were asked for, once they have been made: of vertices that live.
-    static void tell_asked(Mesh& mesh, std::span<const Index> who, std::span<const Point> where) {
-        std::map<Index, Point> asked;
-        for (std::size_t k = 0; k < who.size(); ++k)
-            if (mesh.vertex(static_cast<std::size_t>(who[k])) != typename Mesh::Vertex_handle())
-                asked[who[k]] = where[k];
-        Trace::word(Trace::asked);
-        Trace::word(asked.size());
-        for (const auto& [v, p] : asked) {
+    // Moves, written once they have been made: of vertices that exist.
+    static void write_requested(Mesh& mesh, std::span<const Index> movers, std::span<const Point> where) {
+        std::map<Index, Point> requested;
+        for (std::size_t k = 0; k < movers.size(); ++k)
+            if (mesh.vertex(static_cast<std::size_t>(movers[k])) != typename Mesh::Vertex_handle())
+                requested[movers[k]] = where[k];
+        Trace::word(Trace::requested);
+        Trace::word(requested.size());
+        for (const auto& [v, p] : requested) {
             Trace::vertex(v);
             Trace::numbers(p);
         }
     }
     static void move(Mesh& mesh, Index v, const Point& p) {
         mesh.move(v, p);
-        tell_asked(mesh, std::span(&v, 1), std::span(&p, 1));
+        write_requested(mesh, std::span(&v, 1), std::span(&p, 1));
     }
     static void move_all(Mesh& mesh, const std::vector<Point>& x) {
         mesh.move_all(x);
         std::vector<Index> all(x.size());
         std::iota(all.begin(), all.end(), Index{0});
-        tell_asked(mesh, all, x);
+        write_requested(mesh, all, x);
     }
 
     /// How many points and their coordinates, how many cells and their corners; nothing while all points are on a line.
@@ -172,11 +172,12 @@ struct History {
             }
             case 12:
             case 13: {
-                std::vector<Index> who{someone(), someone()};
-                std::vector<Point> where{x[static_cast<std::size_t>(who[0])], x[static_cast<std::size_t>(who[1])]};
+                std::vector<Index> movers{someone(), someone()};
+                std::vector<Point> where{x[static_cast<std::size_t>(movers[0])],
+                                         x[static_cast<std::size_t>(movers[1])]};
                 for (Point& p : where) wander(p, pace);
-                mesh.move(who, where);
-                tell_asked(mesh, who, where);
+                mesh.move(movers, where);
+                write_requested(mesh, movers, where);
                 return;
             }
             default: {

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The tolerance of a certificate that was evaluated, from the positions of its points: what the stages of predicate_2.v and predicate_3.v answer, one after
-   another, in the mode `lower_bound`. The exact stage is not asked, and that of intervals now and then, for they take Coq long; link/check is about them.
+   another, in the mode `lower_bound`. The exact stage is not evaluated, and that of intervals seldom, because they take Coq long; link/check is about them.
 
    - same_tolerance    a tolerance is that of the filter stage where that is sure, else, if asked, that of the interval stage where that is *)
 From Coq Require Import List Floats.

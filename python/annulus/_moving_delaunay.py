@@ -167,10 +167,10 @@ class MovingDelaunay(VoronoiQueries):
         An insertion finds a vertex near the point in O(log n) and walks from there: on average through 6 to 8
         triangles for 10,000 to a million random points, or 9 to 12 tetrahedra for 10,000 to 200,000. One insertion
         takes ten to twenty microseconds in 2D, about forty in 3D. Additional costs: the first insertion after a
-        construction copies arrays, O(n); while all points are in a plane or on a line, each insertion rebuilds
-        everything, O(n log n); at a vertex with k neighbours it may take O(k). If more than one point is inserted,
-        they are first compared with all positions, O(n). If memory runs out half way, the vertices inserted so far
-        are removed again, and there may be more free indices than before.
+        construction copies arrays, O(n); while all points are in a plane or on a line, each insertion compares the
+        point with all others, O(n); at a vertex with k neighbours it may take O(k). If more than one point is inserted,
+        they are first compared with all positions, O(n). If memory runs out half way, the vertices inserted so far are
+        removed again, and there may be more free indices than before.
         """
         return self._mesh.insert(points)
 

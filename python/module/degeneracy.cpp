@@ -64,8 +64,8 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
         // With one thread, the callback runs in this thread.
-        options.raw = [told = 0U](const Raw_certificate<d>&) mutable {
-            if (++told % 16384 == 0) look_for_signals();
+        options.raw = [calls = 0U](const Raw_certificate<d>&) mutable {
+            if (++calls % 16384 == 0) look_for_signals();
         };
         r.measured = degeneracy(mesh.table(), x, options);
     }

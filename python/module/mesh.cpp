@@ -8,7 +8,7 @@
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/engine/naming_duplicates.h>
-#include <annulus/engine/require_removable.h>
+#include <annulus/engine/require_vertices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,7 +159,8 @@ void Mesh<d>::remove_one(Index i) {
 template <int d>
 void Mesh<d>::remove(const std::vector<Index>& indices) {
     (void)changing([&](Move_result&) {
-        require_removable(std::span<const Index>(indices), [this](Index i) { return mesh_.is_vertex(i); });
+        require_vertices(
+            std::span<const Index>(indices), [this](Index i) { return mesh_.is_vertex(i); }, Repeats::refused);
         free_indices_.reserve(free_indices_.size() + indices.size());
         for (const Index i : indices) remove_one(i);
     });

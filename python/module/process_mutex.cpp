@@ -16,11 +16,11 @@ int this_process = 1;  // changed only in a child of a fork, which has one threa
 }  // namespace
 
 void Process_mutex::lock() {
-    for (int holder = nobody; !holder_.compare_exchange_weak(holder, this_process, std::memory_order_acquire);
-         holder = nobody) {
-        if (holder != nobody && holder != this_process)
+    for (int holder = unlocked; !holder_.compare_exchange_weak(holder, this_process, std::memory_order_acquire);
+         holder = unlocked) {
+        if (holder != unlocked && holder != this_process)
             throw std::runtime_error("another thread was in a call on this object when this process was forked");
-        if (holder != nobody) holder_.wait(holder);
+        if (holder != unlocked) holder_.wait(holder);
     }
 }
 

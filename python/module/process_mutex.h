@@ -12,13 +12,13 @@ class Process_mutex {
     /// Throws std::runtime_error, a RuntimeError in Python, if no thread of this process could ever unlock it.
     void lock();
     void unlock() noexcept {
-        holder_.store(nobody, std::memory_order_release);
+        holder_.store(unlocked, std::memory_order_release);
         holder_.notify_one();
     }
 
   private:
-    static constexpr int nobody = 0;
-    std::atomic<int> holder_ = nobody;  // or a process, numbered by its count of forks: this process or an ancestor
+    static constexpr int unlocked = 0;
+    std::atomic<int> holder_ = unlocked;  // or a process, numbered by its count of forks: this process or an ancestor
 };
 
 }  // namespace annulus::python

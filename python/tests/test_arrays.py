@@ -237,10 +237,10 @@ def test_an_argument_is_left_alone():
         dt.move(x)
         with pytest.raises(annulus.Error):
             dt.move(x, [1])
-    assert sys.getrefcount(x) == before, "nobody holds it"
+    assert sys.getrefcount(x) == before, "nothing holds it"
     x.flags.writeable = True
     x[0] = 7
-    assert np.array_equal(dt.points, X), "nobody looks into it"
+    assert np.array_equal(dt.points, X), "nothing reads it"
 
 
 @pytest.mark.parametrize("name", ARRAYS)
@@ -269,7 +269,7 @@ def test_what_is_shared_is_read_only():
         with pytest.raises(ValueError):
             array.flags.writeable = True
     for array in (dt.tolerances, dt.theta, dt.displacements, dt.convex_hull, dt.find_simplex(X), dt.insert([[3, 3]])):
-        array[0] = 0  # nobody else's
+        array[0] = 0  # of this array alone
     check(dt)
 
 

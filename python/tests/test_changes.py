@@ -71,13 +71,13 @@ def test_changed_simplices_can_be_left_out():
         assert e.value.code == "usage"
 
 
-def test_vacant_indices():
+def test_free_indices():
     dt = annulus.MovingDelaunay(points_of("uniform", 20, 2, 3))
     dt.remove([4, 9])
     check(dt)
     assert dt.npoints == 20 and dt.nvertices == 18
     assert dt.vertex_to_simplex[[4, 9]].tolist() == [-1, -1]
-    dt.move(dt.points)  # NaN where nobody is
+    dt.move(dt.points)  # NaN at free indices
     x = dt.points.copy()
     x[4] = x[5]
     dt.move(x)  # ignored

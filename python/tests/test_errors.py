@@ -124,7 +124,7 @@ def test_what_was_not_initialised():
             dt.move(X)
 
 
-@pytest.mark.skipif(sys.version_info < (3, 10), reason="Python cannot be told before")
+@pytest.mark.skipif(sys.version_info < (3, 10), reason="not possible in Python before")
 @pytest.mark.parametrize("kind", [annulus.MoveResult, annulus.MoveStatistics, annulus._core.Mesh2, annulus._core.Mesh3,
                                   annulus._core.Options])
 def test_what_python_cannot_make(kind):

@@ -27,7 +27,7 @@ def held():
 
 
 counts = pytest.mark.skipif(not hasattr(ctypes.CDLL(None), "mallinfo2"),
-                            reason="asks the GNU C library, 2.33 or later, what it has given")
+                            reason="reads the counters of the GNU C library, 2.33 or later")
 
 
 def assert_none_is_lost(sizes, steps):

@@ -41,7 +41,7 @@ def test_copies(kind, d, copied):
 
 
 @pytest.mark.parametrize("scale", [1.0, 1e-320, 1e-150, 2.0**499.5])
-def test_vacant_indices_stay_in_their_order(scale):
+def test_free_indices_stay_in_their_order(scale):
     x = points_of("uniform", 30, 2, 2)
     dt = annulus.MovingDelaunay(x * scale if scale != 1e-320 else np.round(x * 1000) * 5e-324, merge_duplicates=True)
     n = dt.npoints
@@ -54,7 +54,7 @@ def test_vacant_indices_stay_in_their_order(scale):
     assert as_set(dt.simplices) == as_set(other.simplices)
 
 
-def test_nobody_and_degenerate_sets():
+def test_no_points_and_degenerate_sets():
     for x in (np.zeros((0, 2)), np.ones((1, 3)), [[0, 0], [1, 1], [2, 2]], np.indices((4, 4, 4)).reshape(3, -1).T):
         dt = annulus.MovingDelaunay(x)
         same(dt, pickle.loads(pickle.dumps(dt)))
@@ -67,7 +67,7 @@ def test_nobody_and_degenerate_sets():
 
 
 class Counting:
-    """Stands before a compiled mesh and counts what is asked of it: each is one moment."""
+    """Stands before a compiled mesh and counts the calls on it: each is one moment."""
 
     def __init__(self, mesh):
         self.mesh, self.asked = mesh, []

@@ -99,7 +99,7 @@ dt.remove(new)
     mypy = ([sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"],
                                                              capture_output=True, check=False).returncode == 0
             else ["/usr/bin/mypy"])
-    # NumPy's own stubs use words that Debian's mypy does not know.
+    # NumPy's own stubs use words that Debian's mypy does not have.
     done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", "--strict", "-p",
                            "annulus"], cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -130,7 +130,7 @@ class Timed(threading.Thread):
             return None
 
 
-@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="asks a thread what it has had of a processor")
+@pytest.mark.skipif(not hasattr(time, "pthread_getcpuclockid"), reason="reads the processor time of a thread")
 @pytest.mark.parametrize("call", [
     lambda x: annulus.MovingDelaunay(x),
     lambda x: annulus.degeneracy(x[:30_000]),

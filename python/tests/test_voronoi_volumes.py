@@ -4,7 +4,7 @@
     PYTHONPATH=build/release/python /usr/bin/python3 -m pytest python/tests/test_voronoi_volumes.py --frames 1000 -s
 
 Ours are good to 2**-33. Qhull computes in doubles: far corners and those of slivers are less good there. So where the
-two differ by more than 1e-9, rational numbers tell who is right.
+two differ by more than 1e-9, rational numbers decide which is right.
 """
 
 import pickle
@@ -157,8 +157,8 @@ def change(dt, rng):
 
 @pytest.mark.parametrize("strategy", ["auto", "tolerances", "tolerances-each", "relocate", "rebuild"])
 @pytest.mark.parametrize("d", [2, 3])
-def test_kept_volumes_are_computed_anew(d, strategy):
-    """Volumes that were asked for after each call, beside those of an object that had the same calls and is asked for
+def test_kept_volumes_equal_recomputed_ones(d, strategy):
+    """Volumes requested after each call, beside those of an object that had the same calls and computes
     the first time: bit for bit. Those of an object that is made of the points, whose simplices have another order,
     differ in their last bits at most."""
     x = np.random.default_rng(d).random((POINTS, d))

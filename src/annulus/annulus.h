@@ -192,7 +192,7 @@ ANNULUS_API int annulus_interface(void);
 ANNULUS_API int annulus_move_all(annulus_mesh* mesh, size_t points, const double* coordinates, annulus_report* report);
 
 // Moves some vertices, all at the same time: vertex indices[k] to point k (indices before points, as in C++). If an
-// index occurs twice, its last point counts. If fewer than one in 64 vertices move, under a strategy that repairs the
+// index occurs twice, its last point counts. If at most one vertex in 64 moves, under a strategy that repairs the
 // mesh ("auto", "tolerances", "tolerances-each", "in-place"), the cost is that of their single moves, whatever the
 // size of the mesh. Errors: as annulus_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* indices, const double* coordinates,
@@ -203,7 +203,7 @@ ANNULUS_API int annulus_move(annulus_mesh* mesh, size_t count, const int32_t* in
 // TOO_LARGE, NO_MEMORY), the points before it stay inserted: *inserted, optional, is their number, 0 if nothing was
 // done. Ten to twenty microseconds each in 2D (up to a million vertices), about forty in 3D (up to 100,000). The first
 // insertion after a construction copies arrays, O(n). While all points are in a plane or on a line, each insertion
-// rebuilds everything.
+// compares the point with all others, O(n).
 // Errors: NOT_FINITE, OUT_OF_DOMAIN, DUPLICATE_POINT, TOO_LARGE, ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_insert(annulus_mesh* mesh, size_t count, const double* coordinates, int32_t* indices,
                                size_t* inserted, annulus_report* report);

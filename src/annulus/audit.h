@@ -66,7 +66,7 @@ struct Audit_result {
     std::uint64_t topological_faults = 0;  ///< facet shared by more than two cells, open boundary, missing vertex ...
     std::uint64_t degenerate_facets = 0;   ///< cospherical bi-cells: no fault, the triangulation is not unique there
     std::string first_fault;               ///< as text; empty when there is none
-    std::vector<Audit_fault> faults;       ///< as many as the input asks for, in no particular order
+    std::vector<Audit_fault> faults;       ///< at most as many as the input allows, in no particular order
 
     /// The cells are a Delaunay triangulation of the points.
     [[nodiscard]] bool delaunay() const {

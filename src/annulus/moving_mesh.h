@@ -21,8 +21,14 @@ class Delaunay_mesh;
 /// of CGAL, for callers that need no handles. It has the same engine, options, strategies and errors, and the same
 /// guarantees: with Tolerance_kind::certified the cells are proved to be Delaunay at the positions of the vertices
 /// after every call. If a call throws, positions and indices are as they were before, except that remove() may have
-/// removed the vertex if memory ran out (for GMP and CGAL's Mpzf see moving_delaunay.h). Positions are in the caller's
-/// unit of length. Not thread-safe; const members may run concurrently.
+/// removed the vertex if memory ran out; after a duplicate point, tolerances may have been recomputed and be measured
+/// from other fixed positions (for GMP and CGAL's Mpzf see internal/moving_delaunay.h). Every call that may change the
+/// mesh can throw std::bad_alloc, and too_large: the mesh would have, or had in between, more cells or vertices than
+/// indices can name (limits.h). Error::vertices() has all vertices concerned.
+///
+/// Positions are in the caller's unit of length. Not thread-safe; const members may run concurrently. Preconditions of
+/// every call: arithmetic in IEEE doubles, rounding to nearest. Construction, copying, find_cell, find_cells,
+/// voronoi_volumes and voronoi_gradient check this and throw environment; moves, insert and remove do not.
 ///
 /// Vertices have indices in input order. Removing a vertex makes its index free; the next insertion takes the index
 /// that was freed last.
@@ -43,19 +49,31 @@ class Moving_mesh {
     Moving_mesh(Moving_mesh&&) noexcept;
     Moving_mesh& operator=(Moving_mesh&&) noexcept;
     /// A copy with the same indices, free ones included, and options. It is built from the positions, so that it has
-    /// the same cells under other numbers, and computes its tolerances anew. O(n log n). Throws environment,
+    /// the same cells under other numbers, and recomputes its tolerances. O(n log n). Throws environment,
     /// duplicate_point where tolerances that are not certified have let two positions coincide. Precondition: not a
     /// moved-from object.
     Moving_mesh(const Moving_mesh&);
     Moving_mesh& operator=(const Moving_mesh&);
 
-    /// As in Moving_delaunay.
+    /// Moves one vertex. Expected O(degree) for a short way. Throws unknown_vertex, not_finite, out_of_domain,
+    /// duplicate_point.
     Move_result move(Index i, const Point& p);
+    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
+    /// is named twice, its last point counts. Under a strategy that repairs the mesh, at most one vertex in 64 costs
+    /// as much as single moves; otherwise the call costs as much as move_all. Throws wrong_size unless there is
+    /// one point for each index, and what the move of one vertex throws.
     Move_result move(std::span<const Index> indices, std::span<const Point> points);
+    /// Moves every vertex: points[i] is the new position of vertex i; points at free indices are ignored. O(n) with a
+    /// small constant when few tolerances fail. Throws wrong_size unless there are index_bound() points, not_finite,
+    /// out_of_domain, duplicate_point.
     Move_result move_all(std::span<const Point> points);
-    /// Inserts a vertex and returns its index. Throws not_finite, out_of_domain, duplicate_point.
+    /// Inserts a vertex and returns its index: the one that was freed last, or index_bound(). Expected O(log n +
+    /// degree), and O(n) for the first insertion after a construction, which copies arrays, and while all points are in
+    /// a plane or on a line. Throws not_finite, out_of_domain, duplicate_point (Error::vertices() has the vertex at p),
+    /// and too_large, also if all indices are in use.
     Index insert(const Point& p, Move_result* report = nullptr);
-    /// Throws unknown_vertex.
+    /// Removes a vertex; its index becomes free. Expected O(degree). Throws unknown_vertex. If memory runs out the
+    /// vertex may have been removed: see is_vertex(i).
     void remove(Index i, Move_result* report = nullptr);
     /// Makes the moving position of every vertex its fixed one and computes every tolerance again. O(n).
     Move_result recompute_tolerances();

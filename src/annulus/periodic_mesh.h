@@ -34,7 +34,7 @@ struct Saved_periodic_mesh {
 /// Delaunay triangulation of points() and box(), which are the caller's, rounded once (docs/periodic.md says how). In
 /// cospherical cases it is the one of the perturbation that Moving_mesh uses, which is the same for every image.
 ///
-/// Every call that moves points builds anew: it costs what constructing costs, O(n log n), and there are no tolerances,
+/// Every call that moves points rebuilds: it costs what constructing costs, O(n log n), and there are no tolerances,
 /// no insertion and no removal yet. A call that throws leaves the object as it was. Not thread-safe; const members may
 /// run concurrently.
 template <int d>

@@ -74,7 +74,7 @@ class CheckDocs(unittest.TestCase):
 
     def test_links(self):
         for more in [(), ("--links",)]:
-            self.wrong("other.md#a-b", "nobody.md", r"docs/page.md:3: there is no nobody.md", *more)
+            self.wrong("other.md#a-b", "absent.md", r"docs/page.md:3: there is no absent.md", *more)
             self.wrong("other.md#a-b", "other.md#b", r"other.md has no heading #b", *more)
             self.wrong("(#what-it-does)", "(#what)", r"has no heading #what", *more)
 

@@ -64,7 +64,7 @@ TEMPLATE_TEST_CASE_SIG("What few vertices change is listed at their cost, dimens
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Who asks what changed has the same time steps, dimension", "[engine]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("A list of changes does not change the time steps, dimension", "[engine]", ((int d), d), 2, 3) {
     for (const Strategy strategy :
          {Strategy::automatic, Strategy::rebuild, Strategy::relocate, Strategy::paper_hybrid}) {
         CAPTURE(name_of(strategy));

@@ -60,9 +60,9 @@ TEMPLATE_TEST_CASE_SIG("Steady motion that breaks off never leaves a wrong trian
                 for (int leg = 0; leg < 6; ++leg) {
                     program.operations.push_back(
                         Do::steady(motion, integer(random, 3, d == 2 ? 30 : 15), pace, random() % 100));
-                    const auto who = static_cast<Index>(random() % home.size());
+                    const auto v = static_cast<Index>(random() % home.size());
                     switch (random() % 5) {
-                        case 0: program.operations.push_back(Do::move_some(who, home[random() % home.size()])); break;
+                        case 0: program.operations.push_back(Do::move_some(v, home[random() % home.size()])); break;
                         case 1: program.operations.push_back(Do::move_most(home)); break;
                         case 2: program.operations.push_back(Do::stay()); break;
                         case 3: program.operations.push_back(Do::steady(Motion::few, 4, pace, random() % 100)); break;
@@ -136,12 +136,12 @@ TEMPLATE_TEST_CASE_SIG("After a refused call the flips that it took back do no h
             const Points_of<d> home = some_points<d>(all_sets<d>()[random() % 5], 12, 12, random);
             Program_of<d> program{setting, home, {}};
             for (int call = 0; call < 6; ++call) {
-                const auto who = static_cast<Index>(random() % 1000);
-                program.operations.push_back(Do::refused(Refusal::move_meets, who));
+                const auto v = static_cast<Index>(random() % 1000);
+                program.operations.push_back(Do::refused(Refusal::move_meets, v));
                 Points_of<d> x = home;
                 for (double& c : x[random() % 12]) c *= 0.125 * integer(random, 1, 7);
                 program.operations.push_back(Do::move_most(x));
-                program.operations.push_back(Do::refused(Refusal::move_all_meets, who));
+                program.operations.push_back(Do::refused(Refusal::move_all_meets, v));
                 program.operations.push_back(Do::move_all(home));
             }
             holds(program);

@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE_SIG("Cells that are written through handles are found by the 
         is_found<d>("index is not its own: 3", [](const auto& dt, auto) { dt.vertex(5)->set_index(3); });
         is_found<d>("index is not its own: 99", [](const auto& dt, auto) { dt.vertex(5)->set_index(99); });
     }
-    SECTION("by CGAL, which knows nothing of the strategy") {
+    SECTION("by CGAL, past the strategy") {
         is_found<d>("", [](const auto& dt, auto) {
             auto& tr = const_cast<typename Moving_d<d>::Triangulation&>(dt.triangulation());
             (void)tr.insert(Traits_d<d>::point(Coordinates<d>{0.25, 0.375}));

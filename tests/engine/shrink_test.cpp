@@ -37,13 +37,13 @@ Program_of<d> long_program(Random& random) {
     Program_of<d> program{Strategy::paper_hybrid, {}, {}};
     for (int i = 0; i < 20; ++i) program.points.push_back(some_place<d>(random));
     for (int i = 0; i < 30; ++i) {
-        const auto who = static_cast<Index>(random() % 20);
+        const auto v = static_cast<Index>(random() % 20);
         switch (random() % 6) {
-            case 0: program.operations.push_back(Calls<d>::move(who, some_place<d>(random))); break;
+            case 0: program.operations.push_back(Calls<d>::move(v, some_place<d>(random))); break;
             case 1: program.operations.push_back(Calls<d>::move_all(program.points)); break;
             case 2: program.operations.push_back(Calls<d>::insert(some_place<d>(random))); break;
-            case 3: program.operations.push_back(Calls<d>::remove_some(who)); break;
-            case 4: program.operations.push_back(Calls<d>::refused(Refusal::insert_meets, who)); break;
+            case 3: program.operations.push_back(Calls<d>::remove_some(v)); break;
+            case 4: program.operations.push_back(Calls<d>::refused(Refusal::insert_meets, v)); break;
             default: program.operations.push_back(Calls<d>::steady(Motion::shear, 97, 0.013, random() % 1000)); break;
         }
     }

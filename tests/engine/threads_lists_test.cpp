@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of a Moving_mesh, asked for by several threads at once.
+// Lists of a Moving_mesh, requested by several threads at once.
 #include <annulus/moving_mesh.h>
 
 #include <support/at_once.h>
@@ -13,7 +13,7 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-TEMPLATE_TEST_CASE_SIG("Several threads may ask for lists at once, dimension", "[lists][threads]", ((int d), d), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("Several threads may request lists at once, dimension", "[lists][threads]", ((int d), d), 2, 3) {
     Random random(8);
     std::vector<Coordinates<d>> x(40);
     for (int step = 0; step < repeats(10); ++step) {

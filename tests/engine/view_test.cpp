@@ -52,7 +52,7 @@ void check_view(const Labelled<d>& dt) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE_SIG("CGAL's triangulation is the mesh, however much has changed since it was asked for, dimension",
+TEMPLATE_TEST_CASE_SIG("CGAL's triangulation is the mesh, however much has changed since the last call, dimension",
                        "[view]", ((int d), d), 2, 3) {
     Random random(run_seed());
     for (int round = 0; round < repeats(20); ++round) {
@@ -119,7 +119,7 @@ TEMPLATE_TEST_CASE_SIG("CGAL's triangulation follows points into a hyperplane an
         }
 }
 
-TEST_CASE("Several threads that ask for CGAL's triangulation at once all get what there is now", "[view][threads]") {
+TEST_CASE("Several threads that request CGAL's triangulation at once all get the present one", "[view][threads]") {
     Random random(run_seed());
     std::vector<Coordinates<3>> x(400);
     for (auto& p : x) p = somewhere<3>(random, 1);

@@ -32,7 +32,7 @@ bool ends_with_its_launcher(bool watched) {
             while (true) ::pause();
         }
         char c = 0;
-        [[maybe_unused]] const ssize_t told = ::read(go[0], &c, 1);
+        [[maybe_unused]] const ssize_t ignored = ::read(go[0], &c, 1);
         ::_exit(0);
     }
     ::close(alive[1]);

@@ -59,8 +59,7 @@ TEST_CASE("A schedule hands out every trial once, and no machine has more than i
     }
 }
 
-TEST_CASE(
-    "A schedule begins with the most expensive, and lets threads help one that nobody else would be waiting beside") {
+TEST_CASE("A schedule begins with the most expensive, and lets threads help one that would run alone") {
     std::vector<Trial> trials(3);
     trials[0].seconds = 1;
     trials[1].seconds = 10;

@@ -110,7 +110,7 @@ TEST_CASE("csv: without a header there are x, y and z and nothing else", "[io][c
            "has 4 columns and no header but a comment, '# id q x/m y/m', so nothing says", "a.csv");
 }
 
-TEST_CASE("what was taken for what is told by every format", "[io][columns]") {
+TEST_CASE("every format reports which column was taken for what", "[io][columns]") {
     const Temporary_directory directory;
     const auto taken = [&](const std::string& name, const std::string& content) {
         return read_points<3>(directory.file(name, content)).columns;

@@ -153,7 +153,7 @@ TEST_CASE("a motion is flat where z is the same everywhere", "[io][motion]") {
     CHECK_FALSE(flat("2\n\n0 0 7\n1 1 8\n1\n\nthis is not read\n"));
 }
 
-TEST_CASE("formats are told by extensions, or by whoever asks", "[io][formats]") {
+TEST_CASE("formats are taken from extensions, or from the caller", "[io][formats]") {
     const Temporary_directory directory;
     const auto rows = directory.file("a.txt", "1 2\n3 4\n");
     CHECK(read_points<2>(rows, {.format = "xyz"}).points.size() == 2);

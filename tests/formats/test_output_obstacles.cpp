@@ -23,7 +23,7 @@
 using namespace annulus;
 using namespace annulus_test;
 
-TEST_CASE("a directory in the way of a file is told before anything is replaced", "[io][output]") {
+TEST_CASE("a directory in the way of a file is an error before anything is replaced", "[io][output]") {
     const Temporary_directory directory;
     directory.file("a", "old");
     fs::create_directory(directory.path() / "c");

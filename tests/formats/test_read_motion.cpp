@@ -104,7 +104,7 @@ TEST_CASE("extended XYZ: Properties that say what cannot be are refused at their
     expect_fault(narrow, 3, "has 4 columns", [](const auto& f) { (void)read_motion(f); });
 }
 
-TEST_CASE("extended XYZ: a point is who its id says, wherever it stands", "[io][xyz]") {
+TEST_CASE("extended XYZ: a point is known by its id, in any row", "[io][xyz]") {
     const std::string list = "Properties=id:I:1:mass:R:1:pos:R:3\n";
     const Recorded_motion motion = accept("a.xyz", "3\n" + list + "5 1 0 0 0\n9 1 1 0 0\n7 1 0 1 0\n" +  //
                                                        "3\n" + list + "9 1 1 0 1\n11 1 4 4 4\n5 1 0 0 1\n");

@@ -157,7 +157,7 @@ TEST_CASE("ply: faults of ascii records name their line") {
     refuse<2>(head + "1 2 3\n4 5 6\n", 8, "has a z coordinate");
 }
 
-TEST_CASE("ply: a binary count or list length beyond the file is refused before memory is asked for") {
+TEST_CASE("ply: a binary count or list length beyond the file is refused before memory is allocated") {
     const std::string head = "ply\nformat binary_little_endian 1.0\n";
     refuse(head + "element vertex 18446744073709551615\n" + xyz + "end_header\nabc", 1, "only 3 bytes are left");
     std::string list = head + "element vertex 1\nproperty list int double a\n" + xyz + "end_header\n";

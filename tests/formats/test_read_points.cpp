@@ -188,7 +188,7 @@ TEST_CASE("files that end early or hold more than they announce are refused") {
     refuse<2>("a.mesh", "MeshVersionFormatted 2\nDimension 2\nEnd\n1\n", 4, "more after End");
 }
 
-TEST_CASE("counts beyond the size of the file are refused before memory is asked for") {
+TEST_CASE("counts beyond the size of the file are refused before memory is allocated") {
     refuse<3>("a.xyz", "2000000000\n\nC 1 2 3\n", 3, "the file ends after 1 of 2000000000 points");
     refuse<3>("a.xyz", "9000000000000000000\n\nC 1 2 3\n", 1, "says 9000000000000000000 points");
     refuse<3>("a.xyz", "99999999999999999999\n\nC 1 2 3\n", 1, "is too large");

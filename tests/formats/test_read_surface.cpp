@@ -148,7 +148,7 @@ TEST_CASE("faces that are wrong are refused with their line", "[io][surface]") {
     refuse("a.xyz", "0 0 0\n", 0, "unknown extension");
 }
 
-TEST_CASE("a PLY that has strips of triangles for faces is told what faces are", "[io][surface]") {
+TEST_CASE("for a PLY with strips of triangles as faces the error says what faces are", "[io][surface]") {
     const Temporary_directory directory;
     const auto file = directory.file("tristrips.ply",
                                      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"

@@ -20,7 +20,7 @@
 using namespace annulus;
 using namespace annulus_test;
 
-TEST_CASE("tables: what tracking programs write is read, and which columns were taken is told", "[io][tables]") {
+TEST_CASE("tables: what tracking programs write is read, and the columns taken are reported", "[io][tables]") {
     const Motion petrack = accept(
         "# PeTrack project: a.pet\n# framerate: 25 fps\n# id frame x/m y/m\n1\t0\t0\t0\n1\t1\t0.5\t0\n2\t0\t1\t0\n"
         "2\t1\t1\t0.5\n3\t0\t0\t1\n3\t1\t0\t1\n4\t0\t1\t1.25\n4\t1\t1\t1.5\n",

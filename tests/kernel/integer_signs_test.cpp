@@ -98,7 +98,7 @@ TEST_CASE("Wide integers are those of GMP", "[kernel]") {
 
 TEMPLATE_TEST_CASE_SIG("Signs in integers are those of GMP, dimension", "[kernel]", ((int d), d), 2, 3) {
     Random random(run_seed());
-    int told = 0, zeros = 0;
+    int decided = 0, zeros = 0;
     for (int i = 0; i < repeats(20000); ++i) {
         const int bits = 1 + static_cast<int>(random() % 53);
         auto x = grid_points<d, d + 2>(random, bits);
@@ -123,10 +123,10 @@ TEMPLATE_TEST_CASE_SIG("Signs in integers are those of GMP, dimension", "[kernel
         const int empty = exact_empty_sphere_sign(all).sign;
         zeros += empty == 0 ? 1 : 0;
         if (!holds) continue;
-        ++told;
+        ++decided;
         REQUIRE(*holds == ((empty != 0 ? empty : perturbed_sign(all)) < 0));
     }
-    CHECK(told > repeats(2000));
+    CHECK(decided > repeats(2000));
     CHECK(zeros > repeats(200));
 }
 

@@ -124,16 +124,16 @@ TEMPLATE_TEST_CASE_SIG("Volumes that memory ran out for, or for whose mesh it di
     bool refused = false;
     for (const Strategy strategy : {Strategy::tolerances, Strategy::relocate})
         for (const Memory memory : {Memory::short_once, Memory::short_for_good})
-            for (const bool asked : {false, true})
+            for (const bool requested : {false, true})
                 for (const Call& call : calls) {
                     bool done = false;
                     for (std::uint64_t n = 0; !done && n < 10000; n += call.name[0] == 'v' ? 1 : 1 + n / 4) {
-                        CAPTURE(name_of(strategy), static_cast<int>(memory), asked, call.name, n);
+                        CAPTURE(name_of(strategy), static_cast<int>(memory), requested, call.name, n);
                         Options options;
                         options.strategy = strategy;
                         Moving_mesh<d> mesh(std::span<const Coordinates<d>>(x), options);
-                        if (asked) (void)mesh.voronoi_volumes();
-                        if (asked) (void)mesh.move(5, near<d>(x[5], 0.02, random));
+                        if (requested) (void)mesh.voronoi_volumes();
+                        if (requested) (void)mesh.move(5, near<d>(x[5], 0.02, random));
                         const Starved became = starve(n, memory, [&] { call.make(mesh); });
                         done = became == Starved::done;
                         if (mesh.dimension() < 0) {  // there was no memory for cells, either

@@ -190,7 +190,7 @@ TEST_CASE("The cells of a lattice are its boxes, exactly, in doubles alone", "[m
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of them when they are asked for, dimension",
+TEMPLATE_TEST_CASE_SIG("Few cells of random points need integers, and all of them when that is requested, dimension",
                        "[measure][voronoi]", ((int d), d), 2, 3) {
     Random random(5);
     Points_d<d> x(4000);

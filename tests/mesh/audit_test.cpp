@@ -55,7 +55,7 @@ TEST_CASE("The audit passes collinear vertices on the border", "[audit]") {
     accepts({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {1, 2}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}});
 }
 
-TEST_CASE("The audit counts vertices from where it is told", "[audit]") {
+TEST_CASE("The audit counts vertices from the given number", "[audit]") {
     auto input = kite();
     std::swap(input.cells[1][0], input.cells[1][1]);
     CHECK(audit(input).first_fault == "cell not positively oriented: 2 1 3");

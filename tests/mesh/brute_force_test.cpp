@@ -52,7 +52,7 @@ TEST_CASE("The audit of space says what brute force says", "[audit][space]") {
         CHECK(met[what] > 10);
 }
 
-TEST_CASE("Brute force knows right from wrong", "[audit]") {
+TEST_CASE("Brute force accepts what is right and nothing else", "[audit]") {
     const std::vector<Grid_point<2>> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const auto of_square = [&](const std::vector<Cell_of<2>>& cells) { return Brute_force<2>(square).verdict(cells); };
     CHECK(of_square({{0, 1, 2}, {0, 2, 3}}).fault.empty());

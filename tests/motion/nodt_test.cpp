@@ -171,7 +171,7 @@ TEST_CASE("natural ODT does not depend on threads", "[motion][nodt]") {
     CHECK(s.locked == t.locked);
 }
 
-TEST_CASE("targets never coincide, even when they all want to be at one place", "[motion][nodt]") {
+TEST_CASE("targets never coincide, even when all of them are pulled to one place", "[motion][nodt]") {
     struct Trap final : Domain_3 {  // every projection ends in one point
         [[nodiscard]] bool contains(const Coordinates<3>& p) const override { return distance(p, {}) < 5; }
         using Domain_3::project;

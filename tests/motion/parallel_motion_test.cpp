@@ -14,7 +14,7 @@
 using namespace annulus;
 using namespace annulus::testing;
 
-TEST_CASE("One Lloyd and one natural ODT may be asked by several threads, with threads of their own", "[threads]") {
+TEST_CASE("One Lloyd and one natural ODT may be called by several threads, with threads of their own", "[threads]") {
     Random random(5);
     const Long_motion<2> plane(Motion_kind::jitter, 2000, random);
     const Moving_delaunay_2 dt2(plane.positions());

@@ -125,24 +125,24 @@ TEST_CASE("the filter claims no sign that is within its error", "[certificate][s
     REQUIRE(for_all("of triangles", [](const Seed& seed) {
         at_changes<2, 3>(
             seed, 8, [](const auto& x) { return sign_of(triangle_of(x)); },
-            [](const auto& x) { check_sign(triangle_of(x), ask(triangle_of(x))); });
+            [](const auto& x) { check_sign(triangle_of(x), answers_of(triangle_of(x))); });
     }));
     REQUIRE(for_all("of bi-cells", [](const Seed& seed) {
         at_changes<2, 4>(
             seed, 8, [](const auto& x) { return sign_of(bicell_of(x)); },
-            [](const auto& x) { check_sign(bicell_of(x), ask(bicell_of(x))); });
+            [](const auto& x) { check_sign(bicell_of(x), answers_of(bicell_of(x))); });
     }));
     REQUIRE(for_all("of tetrahedra", [](const Seed& seed) {
         at_changes<3, 4>(
             seed, 8, [](const auto& x) { return sign_of(tetrahedron_of(x)); },
-            [](const auto& x) { check_sign(tetrahedron_of(x), ask(tetrahedron_of(x))); });
+            [](const auto& x) { check_sign(tetrahedron_of(x), answers_of(tetrahedron_of(x))); });
     }));
     REQUIRE(for_all("of bi-cells in space", [](const Seed& seed) {
         at_changes<3, 5>(
             seed, 8, [](const auto& x) { return sign_of(bicell_of(x)); },
-            [](const auto& x) { check_sign(bicell_of(x), ask(bicell_of(x), Cell_widths::never)); });
+            [](const auto& x) { check_sign(bicell_of(x), answers_of(bicell_of(x), Cell_widths::never)); });
     }));
-    REQUIRE(for_all("of a circle that is asked many times", [](const Seed& seed) {
+    REQUIRE(for_all("of a circle that is evaluated many times", [](const Seed& seed) {
         at_changes<2, 3>(
             seed, 8, [](const auto& x) { return sign_of(triangle_of(x)); },
             [](const auto& x) {
@@ -164,7 +164,7 @@ TEST_CASE("the filter calls no partition right that is within its error of its w
                 seed, 8, [k](const auto& x) { return sgn(sides(bicell_of(x))[k]); },
                 [k](const auto& x) {
                     const Bicell_3 c = bicell_of(x);
-                    const Answers answers = ask(c, Cell_widths::where_needed);
+                    const Answers answers = answers_of(c, Cell_widths::where_needed);
                     if (!answers.filter || sgn(sides(c)[k]) > 0) return;
                     HOLDS((answers.filter->wrong_side & (1U << k)) != 0, c);
                 });
@@ -180,7 +180,7 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
             const auto u = detail::difference(t.b, t.a), v = detail::difference(t.c, t.a);
             const double m = std::max(detail::magnitude(u), detail::magnitude(v));
             const auto s = orientation_terms(u, v, detail::difference(t.c, t.b));
-            if (const auto a = ask(t).filter; a && a->sign > 0)
+            if (const auto a = answers_of(t).filter; a && a->sign > 0)
                 HOLDS(is_below(a->tolerance, s.determinant, term(bounds::orientation_2, m, 2), 2.0 * std::sqrt(s.inner),
                                0),
                       t);
@@ -191,7 +191,7 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
             const double M =
                 std::max({detail::magnitude(b), detail::magnitude(p), detail::magnitude(q), detail::magnitude(e)});
             const auto w = annulus_terms(b, p, q, e);
-            if (const auto a = ask(c).filter; a && a->sign > 0)
+            if (const auto a = answers_of(c).filter; a && a->sign > 0)
                 HOLDS(is_below(a->tolerance, w.determinant, term(bounds::annulus_2_incircle, M, 4),
                                std::sqrt(w.inner) + std::sqrt(w.outer), term(bounds::annulus_2_norms, M, 3)),
                       c);
@@ -210,11 +210,11 @@ TEST_CASE("a tolerance of the filter is what is left after the errors of determi
                                 2.0 * std::sqrt(s.inner), term(bounds::orientation_3_norms, largest, 2));
             };
             const Tetrahedron t = c.cell_q();
-            if (const auto a = ask(t).filter; a && a->sign > 0)
+            if (const auto a = answers_of(t).filter; a && a->sign > 0)
                 HOLDS(is_cell_below(a->tolerance, orientation_terms(b, f, q),
                                     std::max({detail::magnitude(b), detail::magnitude(f), detail::magnitude(q)})),
                       t);
-            const auto a = ask(c, Cell_widths::always).filter;
+            const auto a = answers_of(c, Cell_widths::always).filter;
             if (!a || a->sign <= 0) continue;
             const auto s = annulus_terms(b, f, p, q);
             HOLDS(is_cell_below(a->tolerance, cell_p_terms(s), m) && is_cell_below(a->tolerance, cell_q_terms(s), m),

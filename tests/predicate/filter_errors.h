@@ -174,23 +174,23 @@ inline Point_3 point_3(const Numbers& x, std::size_t i) { return {x[3 * i], x[3 
 template <std::optional<Certificate_value> Answers::*stage>
 double triangle_slack(const Numbers& x) {
     const Triangle t{point(x, 0), point(x, 1), point(x, 2)};
-    return 1024 * slack(Triangle_truth(t), ask(t).*stage);
+    return 1024 * slack(Triangle_truth(t), answers_of(t).*stage);
 }
 template <std::optional<Certificate_value> Answers::*stage>
 double bicell_slack(const Numbers& x) {
     const Bicell c{point(x, 0), point(x, 1), point(x, 2), point(x, 3)};
-    return is_bicell(c) ? 1024 * slack(Bicell_truth(c), ask(c).*stage) : 0;
+    return is_bicell(c) ? 1024 * slack(Bicell_truth(c), answers_of(c).*stage) : 0;
 }
 template <std::optional<Certificate_value> Answers::*stage>
 double tetrahedron_slack(const Numbers& x) {
     const Tetrahedron t{point_3(x, 0), point_3(x, 1), point_3(x, 2), point_3(x, 3)};
-    return 1024 * slack(Tetrahedron_truth(t), ask(t).*stage);
+    return 1024 * slack(Tetrahedron_truth(t), answers_of(t).*stage);
 }
 template <std::optional<Certificate_value> Answers::*stage>
 double bicell_3_slack(const Numbers& x) {
     const Bicell_3 c{point_3(x, 0), point_3(x, 1), point_3(x, 2), point_3(x, 3), point_3(x, 4)};
     if (exact_orientation(c.a, c.b, c.c, c.q) <= 0 || exact_orientation(c.a, c.b, c.c, c.p) >= 0) return 0;
-    return 1024 * slack(Bicell_3_truth(c, false), ask(c, Cell_widths::never).*stage);
+    return 1024 * slack(Bicell_3_truth(c, false), answers_of(c, Cell_widths::never).*stage);
 }
 
 }  // namespace filter_errors

@@ -22,7 +22,7 @@ bool same(const Certificate_value& l, const Certificate_value& r) {
 
 template <class Case>
 void check_order(const Case& x) {
-    const Answers answers = ask(x);
+    const Answers answers = answers_of(x);
     // The exact stage gives the largest double not above the truth, up to 2^-100: others can be one unit above it.
     const double top = std::nextafter(answers.exact.tolerance, HUGE_VAL);
     HOLDS(!answers.filter || answers.filter->tolerance < top, x);
@@ -35,7 +35,7 @@ void check_order(const Case& x) {
 
 template <class Case>
 void check_stages(const Case& x) {
-    const Answers answers = ask(x);
+    const Answers answers = answers_of(x);
     const Certificate_value rest = answers.interval ? *answers.interval : answers.exact;
     HOLDS(same(all_stages(x, true), answers.filter ? *answers.filter : rest), x);
     HOLDS(same(all_stages(x, false), answers.floating ? *answers.floating : rest), x);
@@ -105,14 +105,14 @@ TEST_CASE("the filter looks at every difference before it answers", "[certificat
     for (const Bicell& c : {by_b, by_p, by_q, by_e}) {
         INFO(as_code(c));
         REQUIRE(is_bicell(c));
-        CHECK(!ask(c).filter);
-        CHECK(!ask(c).floating);
+        CHECK(!answers_of(c).filter);
+        CHECK(!answers_of(c).floating);
     }
     for (const Triangle& t :
          {Triangle{{0, 0}, {1.25 * x, 0}, {0.5 * x, 0.5 * x}}, Triangle{{0, 0}, {x, 0}, {0.5 * x, 1.25 * x}}}) {
         INFO(as_code(t));
-        CHECK(!ask(t).filter);
-        CHECK(!ask(t).floating);
+        CHECK(!answers_of(t).filter);
+        CHECK(!answers_of(t).floating);
     }
 }
 
@@ -122,15 +122,15 @@ TEST_CASE("the filter answers in its whole range and nowhere else", "[certificat
     const double most = bounds::filter_range, least = 1 / bounds::filter_range;
     for (const double x : {least, std::nextafter(least, 1.0), 1.0, std::nextafter(most, 1.0), most}) {
         INFO("x = " << as_code(x));
-        CHECK(ask(triangle_of(x)).filter);
-        CHECK(ask(kite_of(x)).filter);
+        CHECK(answers_of(triangle_of(x)).filter);
+        CHECK(answers_of(kite_of(x)).filter);
     }
     for (const double x : {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-1074, 0x1p500}) {
         INFO("x = " << as_code(x));
-        CHECK(!ask(triangle_of(x)).filter);
-        CHECK(!ask(triangle_of(x)).floating);
-        CHECK(!ask(kite_of(x)).filter);
-        CHECK(!ask(kite_of(x)).floating);
+        CHECK(!answers_of(triangle_of(x)).filter);
+        CHECK(!answers_of(triangle_of(x)).floating);
+        CHECK(!answers_of(kite_of(x)).filter);
+        CHECK(!answers_of(kite_of(x)).floating);
         CHECK(all_stages(triangle_of(x)).sign == 1);
     }
 }
@@ -147,14 +147,14 @@ TEST_CASE("how often each stage passes the question on", "[certificate][failure-
     head("triangles");
     for (const Triangle_family family : all_triangle_families) {
         Leavers leavers;
-        for (int i = 0; i < each; ++i) leavers.count(ask(triangle(family, random)));
+        for (int i = 0; i < each; ++i) leavers.count(answers_of(triangle(family, random)));
         leavers.print(name_of(family));
         if (family == Triangle_family::uniform) CHECK(leavers.filter * 1000 < each);
     }
     head("bi-cells in the plane");
     for (const Bicell_family family : all_bicell_families) {
         Leavers leavers;
-        for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random)));
+        for (int i = 0; i < each; ++i) leavers.count(answers_of(bicell(family, random)));
         leavers.print(name_of(family));
         if (family == Bicell_family::uniform) CHECK(leavers.filter * 1000 < each);
     }

@@ -92,7 +92,7 @@ TEST_CASE("half widths scale by powers of two and do not see exact translations"
             if (!is_of_usual_magnitude(c)) return;
             const int exponent = integer(random, -20, 20);
             const Bicell_3 s = mapped(c, [exponent](const Point_3& p) { return scaled(p, exponent); });
-            const Answers one = ask(c, Cell_widths::always), other = ask(s, Cell_widths::always);
+            const Answers one = answers_of(c, Cell_widths::always), other = answers_of(s, Cell_widths::always);
             const auto corresponds = [exponent](const Certificate_value& v, const Certificate_value& w) {
                 return v.sign == w.sign && std::ldexp(v.tolerance, exponent) == w.tolerance &&
                        v.wrong_side == w.wrong_side;

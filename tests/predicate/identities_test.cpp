@@ -50,7 +50,7 @@ bool scales(const Certificate_value& l, const Certificate_value& r, int exponent
 
 template <class Case>
 void check_scaling_of_all_stages(const Case& x, int exponent) {
-    const Answers before = ask(x), after = ask(scaled(x, exponent));
+    const Answers before = answers_of(x), after = answers_of(scaled(x, exponent));
     HOLDS(scales(before.exact, after.exact, exponent), x);
     HOLDS(before.interval.has_value() == after.interval.has_value(), x);
     HOLDS(!before.interval || scales(*before.interval, *after.interval, exponent), x);
@@ -158,13 +158,13 @@ TEST_CASE("an exact translation changes nothing in any stage", "[certificate]") 
             const double dx = std::ldexp(integer(random, -9, 9), integer(random, 0, 46));
             const double dy = std::ldexp(integer(random, -9, 9), integer(random, 0, 46));
             const Bicell c = bicell(Bicell_family::grid, random);
-            const Answers before = ask(c), after = ask(translated(c, dx, dy));
+            const Answers before = answers_of(c), after = answers_of(translated(c, dx, dy));
             HOLDS(equal(before.exact, after.exact), c);
             HOLDS(equal(before.interval, after.interval), c);
             HOLDS(equal(before.filter, after.filter), c);
             HOLDS(equal(before.floating, after.floating), c);
             const Triangle t = triangle(Triangle_family::grid, random);
-            const Answers t_before = ask(t), t_after = ask(translated(t, dx, dy));
+            const Answers t_before = answers_of(t), t_after = answers_of(translated(t, dx, dy));
             HOLDS(equal(t_before.exact, t_after.exact), t);
             HOLDS(equal(t_before.interval, t_after.interval), t);
             HOLDS(equal(t_before.filter, t_after.filter), t);

@@ -20,7 +20,7 @@ namespace {
 
 template <class Case>
 void check_signs(const Case& x, int truth) {
-    const Answers answers = ask(x);
+    const Answers answers = answers_of(x);
     HOLDS(answers.exact.sign == truth, x);
     HOLDS(answers.exact.stage == Stage::exact, x);
     HOLDS(!answers.filter || answers.filter->sign == truth, x);

@@ -20,7 +20,7 @@ bool is_sane(const Certificate_value& v) {
 
 void check_triangle(const Triangle& t) {
     const Triangle_truth truth(t);
-    const Answers answers = ask(t);
+    const Answers answers = answers_of(t);
     const auto sound = [&truth](const Certificate_value& v) { return v.sign <= 0 || truth.is_at_least(v.tolerance); };
     HOLDS(!answers.filter || (is_sane(*answers.filter) && sound(*answers.filter)), t);
     HOLDS(!answers.interval || (is_sane(*answers.interval) && sound(*answers.interval)), t);
@@ -34,7 +34,7 @@ void check_triangle(const Triangle& t) {
 
 void check_bicell(const Bicell& c) {
     const Bicell_truth truth(c);
-    const Answers answers = ask(c);
+    const Answers answers = answers_of(c);
     const auto sound = [&truth](const Certificate_value& v) {
         return v.sign <= 0 || (truth.is_at_least(v.tolerance) && truth.is_at_least_by_centre(v.tolerance));
     };

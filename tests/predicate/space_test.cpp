@@ -96,7 +96,7 @@ struct Leavers {
 TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[certificate][space]") {
     REQUIRE(for_all("of every family", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
-            check_answers(t, ask(t), Tetrahedron_truth(t));
+            check_answers(t, answers_of(t), Tetrahedron_truth(t));
             const int truth = exact_orientation(t.a, t.b, t.c, t.d);
             HOLDS(exact_orientation_sign(t.tuple()).sign == truth, t);
             HOLDS(orientation_sign(t.tuple()) == 0 || orientation_sign(t.tuple()) == truth, t);
@@ -107,7 +107,7 @@ TEST_CASE("tetrahedra: every stage is sound, tight and has the exact sign", "[ce
 TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign", "[certificate][space]") {
     REQUIRE(for_all("of every family, with both signs", [](const Seed& seed) {
         for_each_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            check_answers(c, ask(c, Cell_widths::never), Bicell_3_truth(c, false));
+            check_answers(c, answers_of(c, Cell_widths::never), Bicell_3_truth(c, false));
             const int truth = Bicell_3_truth(c, false).sign();
             HOLDS(exact_empty_sphere_sign(c.tuple()).sign == truth, c);
             const Circumsphere_3 sphere(c.a, c.b, c.c, c.q);
@@ -116,7 +116,7 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
     }));
     REQUIRE(for_all("of every family, Delaunay, with cells", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            check_answers(c, ask(c, Cell_widths::always), Bicell_3_truth(c, true));
+            check_answers(c, answers_of(c, Cell_widths::always), Bicell_3_truth(c, true));
         });
     }));
 }
@@ -124,8 +124,8 @@ TEST_CASE("bi-cells of space: every stage is sound, tight and has the exact sign
 TEST_CASE("which partitions are on their wrong side, and the cells that stand in for them", "[certificate][space]") {
     REQUIRE(for_all("in bi-cells of every family", [](const Seed& seed) {
         for_each_delaunay_bicell_3(seed.random(), 1, [](const Bicell_3& c) {
-            const Answers never = ask(c, Cell_widths::never), needed = ask(c, Cell_widths::where_needed),
-                          always = ask(c, Cell_widths::always);
+            const Answers never = answers_of(c, Cell_widths::never), needed = answers_of(c, Cell_widths::where_needed),
+                          always = answers_of(c, Cell_widths::always);
             if (never.exact.sign == 0) return;
             const std::uint8_t truth = wrong_side(c);
             HOLDS(
@@ -163,14 +163,14 @@ TEST_CASE("which partitions are on their wrong side, and the cells that stand in
 TEST_CASE("the filtered predicate in 3D gives the answer of its first stage that has one", "[certificate][space]") {
     REQUIRE(for_all("on tetrahedra and bi-cells", [](const Seed& seed) {
         for_each_tetrahedron(seed.random(), 2, [](const Tetrahedron& t) {
-            const Answers a = ask(t);
+            const Answers a = answers_of(t);
             const Certificate_value rest = a.interval ? *a.interval : a.exact;
             HOLDS(same(evaluate_orientation(t.tuple(), true), a.filter ? *a.filter : rest), t);
             HOLDS(same(evaluate_orientation(t.tuple(), false), a.floating ? *a.floating : rest), t);
         });
         for_each_bicell_3(seed.random(), 2, [](const Bicell_3& c) {
             for (const Cell_widths cells : all_cells) {
-                const Answers a = ask(c, cells);
+                const Answers a = answers_of(c, cells);
                 const Certificate_value rest = a.interval ? *a.interval : a.exact;
                 HOLDS(same(evaluate_empty_sphere(c.tuple(), true, cells), a.filter ? *a.filter : rest), c);
                 HOLDS(same(evaluate_empty_sphere(c.tuple(), false, cells), a.floating ? *a.floating : rest), c);
@@ -190,15 +190,15 @@ TEST_CASE("the filter in space answers in its whole range and nowhere else", "[c
     const double most = bounds::filter_range_3, least = 1 / bounds::filter_range_3;
     for (const double x : {least, std::nextafter(least, 1.0), 1.0, std::nextafter(most, 1.0), most}) {
         INFO("x = " << as_code(x));
-        CHECK(ask(corner_of(x)).filter);
-        CHECK(ask(pair_of(x / 1.5), Cell_widths::always).exact.sign == 1);
-        CHECK(ask(pair_of(0.625 * x), Cell_widths::always).filter.has_value() == (0.625 * 1.5 * x >= least));
+        CHECK(answers_of(corner_of(x)).filter);
+        CHECK(answers_of(pair_of(x / 1.5), Cell_widths::always).exact.sign == 1);
+        CHECK(answers_of(pair_of(0.625 * x), Cell_widths::always).filter.has_value() == (0.625 * 1.5 * x >= least));
     }
     for (const double x :
          {std::nextafter(least, 0.0), std::nextafter(most, HUGE_VAL), 0x1p-1074, 0x1p-1060, 0x1p-1022, 0x1p498}) {
         INFO("x = " << as_code(x));
-        CHECK(!ask(corner_of(x)).filter);
-        CHECK(!ask(corner_of(x)).floating);
+        CHECK(!answers_of(corner_of(x)).filter);
+        CHECK(!answers_of(corner_of(x)).floating);
         CHECK(evaluate_orientation(corner_of(x).tuple()).stage == Stage::interval);
         CHECK(evaluate_orientation(corner_of(x).tuple()).sign == 1);
         const double half = 0.5 / std::sqrt(3.0) * x;  // the altitude over the large facet is x / sqrt(3)
@@ -207,7 +207,7 @@ TEST_CASE("the filter in space answers in its whole range and nowhere else", "[c
     }
     for (const double x : {most, 0x1p-300, 0x1p498}) {
         INFO("x = " << as_code(x));
-        CHECK(!ask(pair_of(x), Cell_widths::always).filter);
+        CHECK(!answers_of(pair_of(x), Cell_widths::always).filter);
         CHECK(evaluate_empty_sphere(pair_of(x).tuple()).stage == Stage::interval);
     }
 }
@@ -221,11 +221,11 @@ TEST_CASE("the filter in space looks at every coordinate before it answers", "[c
         const std::array<Point_3*, 5> points{&c.a, &c.b, &c.c, &c.p, &c.q};
         (*points[coordinate / 3])[coordinate % 3] = (coordinate == 11 ? -1.25 : 1.25) * x;
         INFO(as_code(c));
-        CHECK(!ask(c, Cell_widths::never).filter);
-        CHECK(!ask(c, Cell_widths::never).floating);
+        CHECK(!answers_of(c, Cell_widths::never).filter);
+        CHECK(!answers_of(c, Cell_widths::never).floating);
         const Tetrahedron t = coordinate < 9 ? c.cell_q() : Tetrahedron{c.a, c.b, c.c, coordinate < 12 ? c.p : c.q};
-        CHECK(!ask(t).filter);
-        CHECK(!ask(t).floating);
+        CHECK(!answers_of(t).filter);
+        CHECK(!answers_of(t).floating);
     }
 }
 
@@ -270,14 +270,14 @@ TEST_CASE("how often each stage in space passes the question on", "[certificate]
     head("tetrahedra");
     for (const Family_3 family : all_families_3) {
         Leavers leavers;
-        for (int i = 0; i < each; ++i) leavers.count(ask(tetrahedron(family, random)));
+        for (int i = 0; i < each; ++i) leavers.count(answers_of(tetrahedron(family, random)));
         leavers.print(name_of(family));
         if (family == Family_3::uniform) CHECK(leavers.filter < each / 100);
     }
     head("bi-cells in space");
     for (const Family_3 family : all_families_3) {
         Leavers leavers;
-        for (int i = 0; i < each; ++i) leavers.count(ask(bicell(family, random), Cell_widths::never));
+        for (int i = 0; i < each; ++i) leavers.count(answers_of(bicell(family, random), Cell_widths::never));
         leavers.print(name_of(family));
         if (family == Family_3::uniform) CHECK(leavers.filter < each / 50);
     }

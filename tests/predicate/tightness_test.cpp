@@ -37,7 +37,7 @@ template <class Case, class Truth>
 void check(const Case& x, const Truth& truth) {
     if (truth.sign() <= 0) return;
     const Enclosure half_width = truth.enclosure();
-    const Answers answers = ask(x);
+    const Answers answers = answers_of(x);
     HOLDS(!answers.filter || within(half_width, answers.filter->tolerance, filter_gives_away), x);
     HOLDS(!answers.interval || within(half_width, answers.interval->tolerance, interval_gives_away), x);
     HOLDS(is_best(half_width, answers.exact.tolerance), x);
@@ -53,7 +53,7 @@ template <class Case, class Truth>
 void measure(const Case& x, const Truth& truth, Slacks& slacks) {
     if (truth.sign() <= 0) return;
     const Enclosure half_width = truth.enclosure();
-    const Answers answers = ask(x);
+    const Answers answers = answers_of(x);
     if (answers.filter) slacks.filter.push_back(half_width.slack(answers.filter->tolerance));
     if (answers.interval) slacks.interval.push_back(half_width.slack(answers.interval->tolerance));
     slacks.exact.push_back(half_width.slack(answers.exact.tolerance));
@@ -142,7 +142,7 @@ TEST_CASE("without certification the tolerance is the plain quotient, a few ulps
 TEST_CASE("half widths known in closed form", "[certificate]") {
     SECTION("a triangle 3 4 5: least altitude 12/5") {
         const Triangle t{{0, 0}, {4, 0}, {0, 3}};
-        const Answers answers = ask(t);
+        const Answers answers = answers_of(t);
         REQUIRE(answers.filter);
         REQUIRE(answers.interval);
         for (const Certificate_value& v : {*answers.filter, *answers.interval, answers.exact}) {
@@ -158,7 +158,7 @@ TEST_CASE("half widths known in closed form", "[certificate]") {
     }
     SECTION("a kite about the origin: radii 1 and 3, half width 1") {
         const Bicell c{{0, -1}, {0, 1}, {3, 0}, {-3, 0}};
-        const Answers answers = ask(c);
+        const Answers answers = answers_of(c);
         REQUIRE(answers.filter);
         REQUIRE(answers.interval);
         CHECK(answers.exact.tolerance == 1.0);

@@ -34,7 +34,7 @@ TEST_CASE("A film never has more than its most pictures, the first and the last 
         Film film;
         std::uint64_t asked = 0;
         for (std::uint64_t i = 0; i < frames; ++i) {
-            if (!film.wants(i)) continue;
+            if (!film.includes(i)) continue;
             ++asked;
             Picture picture = grid(3);
             picture.caption = "Frame " + std::to_string(i) + " & <so on>";

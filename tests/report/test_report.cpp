@@ -103,7 +103,7 @@ TEST_CASE("the report is well formed, complete and alone") {
     CHECK(!contains(html, "nan"));
 }
 
-TEST_CASE("an empty report and a failed audit are told plainly") {
+TEST_CASE("an empty report and a failed audit are visible") {
     Report report;
     CHECK(well_formed(report_html(report)));
     report.run.audit = {5, 2};
@@ -137,7 +137,7 @@ TEST_CASE("every edge of a picture is drawn once") {
     CHECK(for_all("trails cover the edges", [] {
         Picture picture;
         const auto n = *rc::gen::inRange<Index>(2, 12);
-        for (Index i = 0; i < n; ++i)  // on a curve without three points in a line, so that segments are told apart
+        for (Index i = 0; i < n; ++i)  // on a curve without three points in a line, so that segments differ
             picture.points.push_back({static_cast<double>(i), static_cast<double>(i) * i});
         std::vector<std::pair<Index, Index>> wanted;
         for (Index i = 0; i < n; ++i)

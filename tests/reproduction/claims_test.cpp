@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims, pages and parts of the reproduction, from artificial records.
 #include <annulus/error.h>
+#include <apps/reproduction/benchmark_statistics.h>
 #include <apps/reproduction/checkpoints.h>
 #include <apps/reproduction/claims.h>
 #include <apps/reproduction/figures.h>
 #include <apps/reproduction/plan.h>
-#include <apps/reproduction/race_statistics.h>
 
 #include <support/catch.h>
 
@@ -79,7 +79,7 @@ TEST_CASE("A step that was not followed counts as the next one that was") {
     CHECK(rebuild.back() == std::pair<std::uint64_t, double>(4, 4.0));
     CHECK(total_seconds(r, "paper") == 6.25);
     CHECK(speed_up(r, "rebuild", "paper") == 4.0 / 6.25);
-    CHECK(speed_up(r, "rebuild", "nobody") == 0);
+    CHECK(speed_up(r, "rebuild", "absent") == 0);
     // From 2 s at 20 % within to 0.5 s at 80 %: 1 s at 60 %.
     REQUIRE(switch_point(r, "paper"));
     CHECK(*switch_point(r, "paper") == Approx(0.6));
@@ -170,9 +170,9 @@ TEST_CASE("Checkpoints are found again bit for bit, by the same reproduction onl
     const auto found = again.find(r.name);
     REQUIRE(found);
     CHECK(found->displacement == r.displacement);
-    CHECK(race_text(*found) == race_text(r));
+    CHECK(benchmark_text(*found) == benchmark_text(r));
     CHECK_THROWS_AS(Checkpoints(scratch.path, "annulus 1 whole"), Error);  // one at a time
-    std::ofstream(scratch.path / "lloyd-x2.json") << race_text(r).substr(0, 50);
+    std::ofstream(scratch.path / "lloyd-x2.json") << benchmark_text(r).substr(0, 50);
     CHECK_FALSE(again.find(r.name));  // it is made again
     again.remove();
     CHECK_FALSE(std::filesystem::exists(scratch.path));
@@ -182,7 +182,7 @@ TEST_CASE("Checkpoints are found again bit for bit, by the same reproduction onl
     CHECK(std::filesystem::exists(scratch.path / "mine.txt"));
 }
 
-TEST_CASE("What is asked for is run, and nothing else") {
+TEST_CASE("What is requested is run, and nothing else") {
     const auto names = [](Reproduction_size size) {
         std::set<std::string> out;
         for (const Part_plan& p : reproduction_parts(size)) CHECK(out.insert(p.benchmark.name).second);

@@ -52,7 +52,7 @@ int without_one(const nlohmann::json& whole, const nlohmann::json::json_pointer&
         nlohmann::json damaged = whole;
         damaged.at(at).erase(0);
         CAPTURE(at.to_string());
-        CHECK_THROWS_AS(parse_race(damaged.dump()), Error);
+        CHECK_THROWS_AS(parse_benchmark(damaged.dump()), Error);
         return 1;
     }
     if (here.is_array())
@@ -65,9 +65,10 @@ int without_one(const nlohmann::json& whole, const nlohmann::json::json_pointer&
 }  // namespace
 
 TEST_CASE("A part of a reproduction comes back as it was, and is refused where it is damaged") {
-    const std::string text = race_text(small());
-    CHECK(race_text(parse_race(text)) == text);
+    const std::string text = benchmark_text(small());
+    CHECK(benchmark_text(parse_benchmark(text)) == text);
     CHECK(without_one(nlohmann::json::parse(text), nlohmann::json::json_pointer("")) == 18);
-    for (std::size_t cut = 0; cut + 2 < text.size(); cut += 7) CHECK_THROWS_AS(parse_race(text.substr(0, cut)), Error);
-    for (const char* other : {"", "3", "[]", "{}", "{\"name\": 3}"}) CHECK_THROWS_AS(parse_race(other), Error);
+    for (std::size_t cut = 0; cut + 2 < text.size(); cut += 7)
+        CHECK_THROWS_AS(parse_benchmark(text.substr(0, cut)), Error);
+    for (const char* other : {"", "3", "[]", "{}", "{\"name\": 3}"}) CHECK_THROWS_AS(parse_benchmark(other), Error);
 }

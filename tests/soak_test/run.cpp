@@ -221,7 +221,7 @@ class Runner {
             if (!live_[i]) continue;
             ++vertices;
             if (dt.vertex(i) != handles_[i]) throw Fault{"a handle changed"};
-            if (dt.positions()[i] != expected_[i]) throw Fault{"a position is not what was asked for"};
+            if (dt.positions()[i] != expected_[i]) throw Fault{"a position is not the requested one"};
             if (handles_[i]->point() != Space<d>::point(expected_[i])) throw Fault{"CGAL's point is not the position"};
         }
         if (dt.number_of_vertices() != vertices) throw Fault{"number_of_vertices()"};

@@ -42,7 +42,7 @@ class Tetrahedron_truth : public Truth_3 {
     explicit Tetrahedron_truth(const Tetrahedron& t);
 };
 
-/// The least of the annuli of a bi-cell, and of its cells if asked for.
+/// The least of the annuli of a bi-cell, and of its cells if requested.
 class Bicell_3_truth : public Truth_3 {
   public:
     Bicell_3_truth(const Bicell_3& c, bool with_cells);

@@ -31,7 +31,7 @@ struct Answers {
 
 /// filter(certified, verdict), interval(verdict), exact(): the stages for one certificate.
 template <class Filter, class Interval, class Exact>
-[[nodiscard]] Answers ask_stages(Filter filter, Interval interval, Exact exact) {
+[[nodiscard]] Answers evaluate_stages(Filter filter, Interval interval, Exact exact) {
     Answers a;
     Certificate_value v;
     if (filter(true, v)) a.filter = v;
@@ -48,22 +48,22 @@ template <class Filter, class Interval, class Exact>
 
 /// The stages of an orientation, in 2D or in 3D.
 template <class Points>
-[[nodiscard]] Answers ask_orientation(const Points& x) {
-    return ask_stages([&](bool certified, Certificate_value& v) { return orientation_filter(x, certified, v); },
-                      [&](Certificate_value& v) { return orientation_interval(x, v); },
-                      [&] { return orientation_exact(x); });
+[[nodiscard]] Answers orientation_answers(const Points& x) {
+    return evaluate_stages([&](bool certified, Certificate_value& v) { return orientation_filter(x, certified, v); },
+                           [&](Certificate_value& v) { return orientation_interval(x, v); },
+                           [&] { return orientation_exact(x); });
 }
 /// The stages of an empty sphere; in 3D `cells` selects the cells whose widths count.
 template <class Points, class... Cells>
-[[nodiscard]] Answers ask_empty_sphere(const Points& x, Cells... cells) {
-    return ask_stages(
+[[nodiscard]] Answers empty_sphere_answers(const Points& x, Cells... cells) {
+    return evaluate_stages(
         [&](bool certified, Certificate_value& v) { return empty_sphere_filter(x, certified, v, cells...); },
         [&](Certificate_value& v) { return empty_sphere_interval(x, v, cells...); },
         [&] { return empty_sphere_exact(x, cells...); });
 }
 
-[[nodiscard]] inline Answers ask(const Bicell& c) { return ask_empty_sphere(c.tuple()); }
-[[nodiscard]] inline Answers ask(const Triangle& t) { return ask_orientation(t.tuple()); }
+[[nodiscard]] inline Answers answers_of(const Bicell& c) { return empty_sphere_answers(c.tuple()); }
+[[nodiscard]] inline Answers answers_of(const Triangle& t) { return orientation_answers(t.tuple()); }
 
 [[nodiscard]] inline Certificate_value all_stages(const Bicell& c, bool certified = true) {
     return evaluate_empty_sphere(c.tuple(), certified);

@@ -8,8 +8,10 @@
 
 namespace annulus::testing {
 
-[[nodiscard]] inline Answers ask(const Tetrahedron& t) { return ask_orientation(t.tuple()); }
-[[nodiscard]] inline Answers ask(const Bicell_3& c, Cell_widths cells) { return ask_empty_sphere(c.tuple(), cells); }
+[[nodiscard]] inline Answers answers_of(const Tetrahedron& t) { return orientation_answers(t.tuple()); }
+[[nodiscard]] inline Answers answers_of(const Bicell_3& c, Cell_widths cells) {
+    return empty_sphere_answers(c.tuple(), cells);
+}
 
 inline constexpr std::array all_cells{Cell_widths::never, Cell_widths::where_needed, Cell_widths::always};
 

@@ -162,7 +162,7 @@ class Counterexample(ToolTest):
 
     def test_text_and_file(self):
         done = self.succeed("counterexample", "--output", "out")
-        self.assertIn("paper accepts, certified asks for an evaluation", done.stdout)
+        self.assertIn("paper accepts, certified requires an evaluation", done.stdout)
         self.assertIn("three cells around ab: NOT Delaunay; two cells at pqr: Delaunay", done.stdout)
         written = json.loads((self.here / "out" / "counterexample.json").read_text(encoding="utf-8"))
         self.assertEqual({**written, "command": "annulus counterexample --json"}, self.numbers())

@@ -131,7 +131,7 @@ class Journal(test_sweep.SweepTest):
         lines = self.interrupt(4)
         file = self.here / "out" / test_sweep.JOURNAL
         for damaged in (b"x" + b"".join(lines)[1:], b"".join(lines).replace(b"\n", b"\r\n"), b"something else\n",
-                        b"of somebody's"):
+                        b"of another program"):
             file.write_bytes(damaged)
             self.assertIn("damaged", self.refuse(3, "sweep", "spec.toml", "--output", "out"))
             self.assertEqual(file.read_bytes(), damaged)

@@ -3,7 +3,7 @@
 """Runs `annulus sweep` as several processes under mpirun, kills them, and gives some of them other files.
 
 usage: test_sweep_ranks.py --tool=PATH --mpirun=PATH [CLASS[.METHOD]...]
-    --mpirun=none: a build without MPI: says so, and ends with status 77, by which CTest knows that nothing was tested
+    --mpirun=none: a build without MPI: says so, and ends with status 77, which to CTest means that nothing was tested
 """
 
 import os

@@ -10,8 +10,8 @@ namespace annulus::inline v1 {
 using Int128 = __int128;
 using Unsigned128 = unsigned __int128;
 
-/// An integer of 64 N bits in two's complement, the lowest word first. Overflow is lost: the caller must know how
-/// large its numbers get.
+/// An integer of 64 N bits in two's complement, the lowest word first. Overflow is lost: the caller must
+/// bound its numbers.
 template <std::size_t N>
 struct Wide_integer {
     std::array<std::uint64_t, N> word{};

@@ -3,7 +3,7 @@
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
 #include <annulus/c/structs.h>
-#include <annulus/engine/require_removable.h>
+#include <annulus/engine/require_vertices.h>
 
 #include <algorithm>
 
@@ -110,7 +110,8 @@ int annulus_remove(annulus_mesh* mesh, size_t count, const int32_t* indices, siz
         require(indices, count, "indices");
         require_report(report);
         require_sound_environment();
-        require_removable(std::span(indices, count), [&](Index i) { return m.mesh->is_vertex(i); });
+        require_vertices(
+            std::span(indices, count), [&](Index i) { return m.mesh->is_vertex(i); }, Repeats::refused);
         begin_several(m, report, removed);
         Move_result all;
         for (std::size_t k = 0; k < count; ++k) {

@@ -28,7 +28,7 @@ Options options_of(const annulus_options* given) {
     const auto* beyond = reinterpret_cast<const unsigned char*>(given);
     for (std::size_t i = sizeof known; i < given->size; ++i)
         if (beyond[i] != 0)
-            throw Refused(ANNULUS_USAGE, "annulus_options has options that this version of the library does not know");
+            throw Refused(ANNULUS_USAGE, "annulus_options sets options that this version of the library does not have");
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
     choose(options.strategy, known.strategy, strategy_named, "strategy",
            "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");

@@ -7,6 +7,7 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
+#include <annulus/engine/naming_duplicates.h>
 #include <annulus/engine/update_strategy.h>
 #include <annulus/error.h>
 
@@ -53,12 +54,8 @@ void Engine<d>::build(std::span<const Point> points) {
     } else {
         for (std::size_t i = 0; i < points.size(); ++i) vertex_of_input_.push_back(static_cast<Index>(i));
     }
-    try {
-        mesh_.build(points);
-    } catch (const Error& e) {
-        rethrow_with_vertices<d>(
-            e, points, [](Index) { return true; }, "points", "have");
-    }
+    naming_duplicates<d>(
+        points, [](Index) { return true; }, "points", [&] { mesh_.build(points); });
     Move_result report;
     strategy_->begin(points, report);
 }
@@ -68,12 +65,8 @@ void Engine<d>::build_copy(const Engine& other) {
     const auto x = other.positions();
     vertex_of_input_ = other.vertex_of_input_;
     free_indices_ = other.free_indices_;
-    try {
-        mesh_.build(x, free_indices_);
-    } catch (const Error& e) {
-        rethrow_with_vertices<d>(
-            e, x, [&](Index i) { return other.is_vertex(i); }, "vertices", "have");
-    }
+    naming_duplicates<d>(
+        x, [&](Index i) { return other.is_vertex(i); }, "vertices", [&] { mesh_.build(x, free_indices_); });
     Move_result discarded;
     strategy_->begin(x, discarded);
     clear_free_positions();
@@ -162,31 +155,14 @@ Move_result Engine<d>::recompute_tolerances() {
     return report;
 }
 
-template <int d>
-void Engine<d>::require_vertices(std::span<const Index> indices) const {
-    std::vector<std::int64_t> unknown;
-    for (const Index i : indices)
-        if (!is_vertex(i)) unknown.push_back(i);
-    if (unknown.empty()) return;
-    std::sort(unknown.begin(), unknown.end());
-    unknown.erase(std::unique(unknown.begin(), unknown.end()), unknown.end());
-    std::string what = "no vertex has index " + std::to_string(unknown.front());
-    if (unknown.size() > 1) what += ", nor any of " + std::to_string(unknown.size() - 1) + " more";
-    throw Error(Error_code::unknown_vertex, what, std::move(unknown));
-}
-
 /// Insertion and removal need a Delaunay triangulation. Tolerances that are not certified may have left another one,
 /// or one at other positions.
 template <int d>
 void Engine<d>::make_trusted(Move_result& report) {
     if (strategy_->trusted()) return;
     const std::vector<Point> x(positions().begin(), positions().end());
-    try {
-        mesh_.rebuild(x);
-    } catch (const Error& e) {
-        rethrow_with_vertices<d>(
-            e, std::span<const Point>(x), [this](Index i) { return is_vertex(i); }, "vertices", "have");
-    }
+    naming_duplicates<d>(
+        std::span<const Point>(x), [this](Index i) { return is_vertex(i); }, "vertices", [&] { mesh_.rebuild(x); });
     strategy_->begin(x, report);
 }
 

@@ -45,8 +45,6 @@ class Engine {
     [[nodiscard]] bool is_vertex(Index i) const;
     /// Throws unknown_vertex.
     void require_vertex(Index i) const;
-    /// The same, naming every index that names no vertex.
-    void require_vertices(std::span<const Index> indices) const;
     [[nodiscard]] std::span<const Index> vertex_of_input() const { return vertex_of_input_; }
     [[nodiscard]] std::span<const Point> positions() const;
     /// The positions at which the triangulation is Delaunay. They differ from positions() only while tolerances that

@@ -7,6 +7,7 @@
 #include <annulus/engine/guarded.h>
 #include <annulus/engine/listing_changes.h>
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/engine/require_vertices.h>
 #include <annulus/error.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Move_result Engine<d>::move(std::span<const Index> indices, std::span<const Poin
     if (indices.size() != points.size())
         throw Error(Error_code::wrong_size,
                     std::to_string(indices.size()) + " indices, and " + std::to_string(points.size()) + " points");
-    require_vertices(indices);
+    require_vertices(indices, [this](Index i) { return is_vertex(i); });
     require_in_domain(points, "vertex", [&](std::size_t k) { return indices[k]; });
     Move_result report;
     const std::vector<Point> targets(points.begin(), points.end());  // they may be positions(), which change meanwhile

@@ -41,8 +41,8 @@ template <int d, class Is_present>
 }
 
 /// Handles an error of a call after which the vertices would be at x: rethrows a duplicate point with the names of all
-/// vertices at that position, which the code that found it may not know, and anything else as it is. `what` and `have`
-/// as for duplicate_point_error.
+/// vertices at that position, of which the code that found it may have only two, and anything else as it is. `what`
+/// and `have` as for duplicate_point_error.
 template <int d, class Is_present>
 [[noreturn]] void rethrow_with_vertices(const Error& e, std::span<const Coordinates<d>> x, Is_present is_present,
                                         const char* what = "vertices", const char* have = "would have") {
@@ -55,6 +55,16 @@ template <int d, class Is_present>
     if (const auto pair = coinciding<d>(x, is_present))
         throw duplicate_point_error(what, have, sharing<d>(x, pair->first, is_present));
     throw;
+}
+
+/// Builds a mesh of x. A duplicate point is thrown with the names of all vertices at that position.
+template <int d, class Is_present, class Build>
+void naming_duplicates(std::span<const Coordinates<d>> x, Is_present is_present, const char* what, Build build) {
+    try {
+        build();
+    } catch (const Error& e) {
+        rethrow_with_vertices<d>(e, x, is_present, what, "have");
+    }
 }
 
 }  // namespace annulus::inline v1

@@ -64,7 +64,7 @@ class Mesh_access {
     [[nodiscard]] Flat_cells flat_cells(std::span<const Coordinates<d>> positions) const;
     /// Meaningful while dimension() is d; none otherwise.
     [[nodiscard]] Table_cells<d> cells() const;
-    /// The log that is told, from now on, before a cell changes. There is one for each mesh (voronoi_volumes of a
+    /// The log that is notified, from now on, before a cell changes. There is one for each mesh (voronoi_volumes of a
     /// Moving_mesh sets another), and it must live as long as the mesh changes.
     void set_dirty_cells(Dirty_cells& log) noexcept;
 

@@ -80,7 +80,7 @@ class Moving_delaunay {
     explicit Moving_delaunay(const Other& other, const Options& options = {})
         : Moving_delaunay(Originals<Other>(other), options) {}
     /// A copy with the same indices and data at vertices, and handles of its own. It is built from the positions, so
-    /// that it has the same cells under other numbers, and computes its tolerances anew. O(n log n). Throws what a
+    /// that it has the same cells under other numbers, and recomputes its tolerances. O(n log n). Throws what a
     /// construction throws: duplicate_point where tolerances that are not certified have let two positions coincide.
     Moving_delaunay(const Moving_delaunay& o)
         : mesh_(o.mesh_), view_(std::make_unique<View>(Mesh_access<d>(mesh_), mesh_.points(), [&o](Index v) {
@@ -115,8 +115,8 @@ class Moving_delaunay {
         return v;
     }
     /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
-    /// is named twice, its last point counts. Under a strategy that repairs the mesh, fewer than one vertex in 64 cost
-    /// as much as their single moves; otherwise the call costs as much as move_all. Throws wrong_size, and what move
+    /// is named twice, its last point counts. Under a strategy that repairs the mesh, at most one vertex in 64 costs
+    /// as much as single moves; otherwise the call costs as much as move_all. Throws wrong_size, and what move
     /// throws.
     Move_result move(std::span<const Index> indices, std::span<const Coordinates<d>> points) {
         invalidate(indices);
@@ -157,7 +157,7 @@ class Moving_delaunay {
         return move_all(std::span<const Coordinates<d>>(coordinates_of<View>(std::begin(points), std::end(points))));
     }
 
-    /// Inserts a vertex. Throws not_finite, out_of_domain, duplicate_point.
+    /// Inserts a vertex. Throws not_finite, out_of_domain, duplicate_point, too_large. Costs as in Moving_mesh.
     Vertex_handle insert(const Point& p, Move_result* report = nullptr) {
         invalidate({});
         view_->reserve_vertex();

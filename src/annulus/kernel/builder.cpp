@@ -74,7 +74,7 @@ bool Builder<d>::insert_in_parallel(const Bounding_box<d>& around, int threads) 
     return true;
 }
 
-/// Divides the curve so that the parts have equally many pending vertices, as far as a sample tells, and determines
+/// Divides the curve so that the parts have equally many pending vertices, judging by a sample, and determines
 /// the part of each vertex before `last`.
 template <int d>
 template <class Place>

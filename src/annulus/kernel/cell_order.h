@@ -52,7 +52,7 @@ class Cell_order {
         std::array<Rank, corners> vertices;
         std::array<std::uint32_t, corners> across;
         Cell cell;
-        /// The sorting key of cells with the same largest rank; together with the orientation it tells them apart.
+        /// The sorting key of cells with the same largest rank; together with the orientation it distinguishes them.
         [[nodiscard]] std::uint64_t rest() const {
             return std::uint64_t{static_cast<std::uint32_t>(vertices[1])} << 32 |
                    static_cast<std::uint32_t>(vertices[2]);

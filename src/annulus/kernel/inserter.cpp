@@ -161,8 +161,8 @@ bool Inserter<d>::holds_exactly(Cell c, Rank v) const {
             p[j] = g.on_grid(static_cast<int>(j) == i ? v : g.cells[c].vertex[j]);
             x[j] = p[j].x;
         }
-        const std::optional<int> told = integer_orientation<d>(p);
-        const int side = told ? *told : exact_orientation_sign(x).sign;
+        const std::optional<int> decided = integer_orientation<d>(p);
+        const int side = decided ? *decided : exact_orientation_sign(x).sign;
         if (side != 0) return side > 0;
         c = g.cells[c].across[static_cast<std::size_t>(i)] >> 2;
         const auto value = g.look(c, g.at(v));
@@ -171,7 +171,7 @@ bool Inserter<d>::holds_exactly(Cell c, Rank v) const {
     std::array<Scaled_point<d>, corners + 1> p;
     for (std::size_t j = 0; j <= d; ++j) p[j] = g.on_grid(g.cells[c].vertex[j]);
     p[d + 1] = g.on_grid(v);
-    if (const std::optional<bool> told = integer_sphere_holds<d>(p)) return *told;
+    if (const std::optional<bool> decided = integer_sphere_holds<d>(p)) return *decided;
     Tuple<d, d + 1> x;
     for (std::size_t j = 0; j <= d; ++j) x[j] = p[j].x;
     return sphere_holds_exactly<d>(x, g.at(v));

@@ -32,7 +32,7 @@ bool Inserter<d>::find_cavity(Rank v, Cell first) {
     std::size_t cells = 1, facets = 0;
     bool abroad = false;
     float elsewhere;  // nothing is written in another partition
-    const auto look = [&](Half_facet h) {
+    const auto test = [&](Half_facet h) {
         const Half_facet t = g.cells[h >> 2].across[h & 3U];
         const Cell c = t >> 2;
         const float constant = g.bound(c);
@@ -53,18 +53,18 @@ bool Inserter<d>::find_cavity(Rank v, Cell first) {
     };
     cavity.entered[0] = 4 * first;
     if constexpr (d == 3) g.bound(first) = -g.bound(first);
-    for (std::uint32_t i = 0; i <= d; ++i) look(4 * first + i);
-    const auto look_around = [&](Half_facet h) {
-        for (std::uint32_t i = 1; i <= d; ++i) look((h & ~3U) | next_slot<d>(h & 3U, i));
+    for (std::uint32_t i = 0; i <= d; ++i) test(4 * first + i);
+    const auto test_others = [&](Half_facet h) {
+        for (std::uint32_t i = 1; i <= d; ++i) test((h & ~3U) | next_slot<d>(h & 3U, i));
     };
     for (std::size_t k = 1; k < cells && !(shared && abroad);) {
         if (cells + room > cavity.entered.size()) cavity.entered.resize(2 * cavity.entered.size());
         if (facets + room > cavity.border.size()) cavity.border.resize(2 * cavity.border.size());
         const Half_facet h = cavity.entered[k], after = cavity.entered[k + 1];
         const bool two = k + 1 < cells;
-        look_around(h);
+        test_others(h);
         ++k;
-        if (two) look_around(after), ++k;
+        if (two) test_others(after), ++k;
     }
     cavity.size = cells;
     cavity.border_size = facets;

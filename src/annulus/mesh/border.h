@@ -9,7 +9,7 @@
 namespace annulus::inline v1 {
 
 /// Whether the border of a triangulation, at x, winds once (docs/theory.md 1.2). Precondition: every ridge of it is
-/// convex there. O(border); in 3D it also fills O(cells) bytes. The number of facets looked at is added to `seen`.
+/// convex there. O(border); in 3D it also fills O(cells) bytes. The number of facets read is added to `seen`.
 [[nodiscard]] bool border_winds_once(const Corner_table<2>& t, std::span<const Coordinates<2>> x, std::size_t& seen);
 [[nodiscard]] bool border_winds_once(const Corner_table<3>& t, std::span<const Coordinates<3>> x, std::size_t& seen);
 

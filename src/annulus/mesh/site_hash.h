@@ -8,7 +8,7 @@
 namespace annulus::inline v1 {
 
 /// Where to begin the search for an array of sites in a table with open addressing. The size of the table is a power
-/// of two, at least 2. Depends on vertices only: different sites of one vertex are told apart by comparison.
+/// of two, at least 2. Depends on vertices only: different sites of one vertex are distinguished by comparison.
 template <class Sites>
 [[nodiscard]] std::size_t first_place(const Sites& sites, std::size_t places) {
     std::uint64_t key = 0;

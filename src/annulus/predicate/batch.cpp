@@ -102,9 +102,9 @@ Stage_counts all_stages(std::span<const T> x, Tolerance_precision mode, std::spa
         counts = later_stages(
             x.size(), [&](std::size_t i) { return out[i].stage == Stage::exact; },
             [&](std::size_t i) {
-                const bool told = interval(x[i], out[i], cells);
-                out[i].stage = told ? Stage::interval : Stage::exact;
-                return told;
+                const bool decided = interval(x[i], out[i], cells);
+                out[i].stage = decided ? Stage::interval : Stage::exact;
+                return decided;
             },
             [&](std::size_t i) { out[i] = exact(x[i], cells); });
     counts.filter = answered;

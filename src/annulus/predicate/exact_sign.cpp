@@ -45,12 +45,12 @@ Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
     Staged_sign sign{0, Stage::exact};
     const auto interval = [&](std::size_t) {
         Certificate_value out;
-        const bool told = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
+        const bool decided = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
             const auto to_first = [&](std::size_t i) { return detail::difference(x, i, 0, difference); };
             return detail::interval_sign(of_vectors<Interval>(vectors, to_first, determinant), out);
         });
-        if (told) sign = {out.sign, Stage::interval};
-        return told;
+        if (decided) sign = {out.sign, Stage::interval};
+        return decided;
     };
     const auto exact = [&](std::size_t) {
         const Scaled_integers z(coordinates(x));

@@ -191,9 +191,9 @@ void enclose_all(std::span<const X> x, std::span<Out> out, Which... which) {
     (void)later_stages(
         x.size(), [&](std::size_t i) { return stage_of(out[i]) == Stage::exact; },
         [&](std::size_t i) {
-            const bool told = by_intervals(x[i], which..., out[i]);
-            stage_of(out[i]) = told ? Stage::interval : Stage::exact;
-            return told;
+            const bool decided = by_intervals(x[i], which..., out[i]);
+            stage_of(out[i]) = decided ? Stage::interval : Stage::exact;
+            return decided;
         },
         [&](std::size_t i) { out[i] = enclose_exactly(x[i], which...); });
 }

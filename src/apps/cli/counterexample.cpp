@@ -17,7 +17,7 @@ namespace {
 
 void print(const Counterexample& r) {
     const auto word = [](bool yes) { return yes ? "Delaunay" : "NOT Delaunay"; };
-    const auto accepts = [](bool yes) { return yes ? "accepts" : "asks for an evaluation"; };
+    const auto accepts = [](bool yes) { return yes ? "accepts" : "requires an evaluation"; };
     std::printf("five points    a, b = (0, 0, +-%.17g), p, q, r at 120 degrees on the unit circle of z = 0\n",
                 1.0 - r.delta);
     std::printf("triangulation  three cells around ab: %s\n", word(r.three_before));

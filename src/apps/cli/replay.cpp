@@ -112,7 +112,7 @@ class Replay {
         files_->frame(frame_.number);
         caption_ = "Frame " + std::to_string(frame_.number);
         const std::uint64_t step = tracker_.record().iterations;
-        if (page_.film.wants(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_));
+        if (page_.film.includes(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_));
     }
 
     Replayed_frames<d>& frames_;

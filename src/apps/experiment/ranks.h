@@ -33,7 +33,7 @@ class Ranks {
     /// Sends the first rank's argument to all others, whose argument is replaced.
     void share(std::string& text);
 
-    /// For the first rank: answers the others until the sweep is over and all of them have been told. Calls `poll`
+    /// For the first rank: answers the others until the sweep is over and all of them have been notified. Calls `poll`
     /// every few milliseconds.
     void serve(Coordinator& coordinator, int threads, const std::function<void()>& poll);
     /// For any other rank: runs the trials that the first hands out, on this many threads, until the first reports the

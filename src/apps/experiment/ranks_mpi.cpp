@@ -30,11 +30,11 @@ namespace {
 
 /// The kind of a message.
 enum Tag : int {
-    ask,     ///< to the first: a request for jobs
-    give,    ///< from the first: jobs, or "over"
-    result,  ///< to the first: the result of one
-    fault,   ///< to the first: the exception of one
-    gone,    ///< to the first: why this rank stops
+    request,  ///< to the first: a request for jobs
+    give,     ///< from the first: jobs, or "over"
+    result,   ///< to the first: the result of one
+    fault,    ///< to the first: the exception of one
+    gone,     ///< to the first: why this rank stops
 };
 constexpr std::string_view over = "over";
 // MPI's own calls spin while they wait; the processor is needed by the computing threads.
@@ -56,7 +56,7 @@ struct Ranks::Messages {
     Launcher_watch watch{};
     std::vector<int> machines{};  ///< by rank
     bool shared = false;
-    std::set<int> told{};                          ///< the other ranks that have been told of the end, or have stopped
+    std::set<int> notified{};                      ///< the other ranks that were notified of the end or have stopped
     std::map<int, std::set<std::size_t>> doing{};  ///< the trials that they were given
 
     static void send(int to, Tag tag, std::string_view text) {
@@ -83,10 +83,10 @@ struct Ranks::Messages {
         int from = 0;
         Tag tag{};
         std::string text;
-        while (std::cmp_less(told.size(), others)) {
+        while (std::cmp_less(notified.size(), others)) {
             if (!receive(from, tag, text)) std::this_thread::sleep_for(nap);
-            else if (tag == ask) send(from, give, over);
-            if (tag == ask || tag == gone) told.insert(from);
+            else if (tag == request) send(from, give, over);
+            if (tag == request || tag == gone) notified.insert(from);
         }
     }
 };
@@ -105,7 +105,7 @@ Ranks::Ranks() {
         throw Error(
             Error_code::usage,
             "started as one of " + std::to_string(launched) +
-                " processes, of which MPI knows only this one: each would run all of the sweep (srun: try --mpi=pmix)");
+                " processes, of which MPI has only this one: each would run all of the sweep (srun: try --mpi=pmix)");
     }
     MPI_Comm here;
     MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &here);
@@ -131,7 +131,7 @@ void Ranks::share(std::string& text) {
     if (!messages_) return;
     messages_->shared = true;
     if (text.empty())  // ranks that get nothing send no requests
-        for (int other = 1; other < size_; ++other) messages_->told.insert(other);
+        for (int other = 1; other < size_; ++other) messages_->notified.insert(other);
     std::uint64_t size = text.size();
     MPI_Bcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
     text.resize(size);
@@ -145,18 +145,18 @@ void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll
     int from = 0;
     Tag tag{};
     std::string text;
-    while (!c.over() || std::cmp_less(messages_->told.size(), size_ - 1)) {
+    while (!c.over() || std::cmp_less(messages_->notified.size(), size_ - 1)) {
         poll();
         if (!Messages::receive(from, tag, text)) {
             std::this_thread::sleep_for(nap);
             continue;
         }
         const int machine = messages_->machines[static_cast<std::size_t>(from)];
-        if (tag == ask) {
+        if (tag == request) {
             bool last = false;
             const auto jobs = c.jobs(machine, threads * size_, last);
             Messages::send(from, give, last ? std::string(over) : packed(jobs));
-            if (last) messages_->told.insert(from);
+            if (last) messages_->notified.insert(from);
             for (const auto& job : jobs) messages_->doing[from].insert(job.trial);
         } else if (tag == result) {
             std::size_t trial = 0;
@@ -172,7 +172,7 @@ void Ranks::serve(Coordinator& c, int threads, const std::function<void()>& poll
             for (const std::size_t trial : std::exchange(messages_->doing[from], {}))
                 c.fail(trial, machine, fault_of(text));
             c.stop(fault_of(text));
-            messages_->told.insert(from);
+            messages_->notified.insert(from);
         }
     }
 }
@@ -219,7 +219,7 @@ void Ranks::work(const Spec& spec, int threads) {
     int from = 0;
     Tag tag{};
     std::string text;
-    bool asked = false, over_yet = false;
+    bool requested = false, over_yet = false;
     std::size_t last_batch = 0;
     auto again = std::chrono::steady_clock::now();
     while (true) {
@@ -233,12 +233,12 @@ void Ranks::work(const Spec& spec, int threads) {
             state.waiting.empty() && (state.running < static_cast<std::size_t>(threads) || last_batch > 1);
         if (over_yet && state.waiting.empty() && state.running == 0 && state.outbox.empty()) return;
         lock.unlock();
-        if (!over_yet && !asked && idle && std::chrono::steady_clock::now() >= again) {
-            Messages::send(0, ask, "");
-            asked = true;
+        if (!over_yet && !requested && idle && std::chrono::steady_clock::now() >= again) {
+            Messages::send(0, request, "");
+            requested = true;
         }
         if (Messages::receive(from, tag, text)) {
-            asked = false;
+            requested = false;
             lock.lock();
             if (text == over) {
                 over_yet = true;

@@ -136,7 +136,7 @@ class Grid_reader {
                 const bool lloyd = word == "lloyd";
                 for (const std::uint64_t d : dimensions)
                     if (d != (lloyd ? 2 : 3))
-                        m.fail("kind", word + " moves points in " + (lloyd ? "the plane" : "space"),
+                        m.fail("kind", word + " moves points in " + (lloyd ? "2D" : "3D"),
                                lloyd ? "dimension = 2" : "dimension = 3");
                 for (const auto& kind : kinds)
                     if (!lloyd && kind.first != "uniform")

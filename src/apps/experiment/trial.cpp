@@ -83,7 +83,7 @@ class Lines {
 
 /// Examines a motion after each of the steps that the trial names.
 template <int d, class Motion>
-void look_at_steps(const Trial& t, Motion& motion, Lines& lines) {
+void examine_steps(const Trial& t, Motion& motion, Lines& lines) {
     std::uint64_t step = 0;
     for (const std::uint64_t wanted : t.steps) {
         for (; step < wanted; ++step) motion.step();
@@ -98,14 +98,14 @@ void run_generated(const Trial& t, Lines& lines, int threads) {
     if constexpr (d == 2) {
         if (t.motion->kind == Trial_motion::Kind::lloyd) {
             Lloyd_motion motion(generate<2>(t.family, n, t.seed), threads);
-            return look_at_steps<2>(t, motion, lines);
+            return examine_steps<2>(t, motion, lines);
         }
     } else if (t.motion->kind == Trial_motion::Kind::nodt) {
         Nodt_motion motion(n, t.seed, threads);
-        return look_at_steps<3>(t, motion, lines);
+        return examine_steps<3>(t, motion, lines);
     }
     Generated_motion<d> motion(generate<d>(t.family, n, t.seed), t.motion->family, t.motion->pace, t.seed);
-    look_at_steps<d>(t, motion, lines);
+    examine_steps<d>(t, motion, lines);
 }
 
 template <int d>
@@ -123,7 +123,7 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
         ++at;
     } while ((t.every > 0 || found < t.frames.size()) && reader.next(frame));
     if (found < t.frames.size())
-        throw Input_error(Error_code::bad_input, reader.name(), 0, "has not all of the frames that are asked for",
+        throw Input_error(Error_code::bad_input, reader.name(), 0, "does not have all of the frames that are requested",
                           "frames that the file has (in .xyz they are counted from 0)");
 }
 

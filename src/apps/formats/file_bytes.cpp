@@ -92,7 +92,7 @@ bool File_bytes::fill() {
 }
 
 /// The first bytes of a file tell whether it is packed; a pipe may deliver them one by one.
-void File_bytes::look_at_beginning() {
+void File_bytes::read_beginning() {
     begun_ = true;
     std::string begin;
     while (begin.size() < telling_bytes && fill()) begin += block_;
@@ -103,7 +103,7 @@ void File_bytes::look_at_beginning() {
 }
 
 bool File_bytes::take(std::string& content) {
-    if (!begun_) look_at_beginning();
+    if (!begun_) read_beginning();
     if (inflater_) return inflate(content);
     if (block_.empty() && !fill()) return false;
     content += block_;

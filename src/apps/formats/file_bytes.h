@@ -49,7 +49,7 @@ class File_bytes {
   private:
     struct Inflater;
     [[noreturn]] void fail(std::string fault, std::string expected) const;
-    void look_at_beginning();
+    void read_beginning();
     bool take(std::string& content);
     bool fill();
     bool inflate(std::string& content);

@@ -69,11 +69,11 @@ std::vector<std::string> names_of(std::span<const Format> formats) {
     return result;
 }
 
-Format format_of(const std::filesystem::path& file, std::span<const Format> accepted, std::string_view asked) {
-    if (!asked.empty()) {
+Format format_of(const std::filesystem::path& file, std::span<const Format> accepted, std::string_view requested) {
+    if (!requested.empty()) {
         for (const Format format : accepted)
-            if (name_of(format) == asked) return format;
-        throw Error(Error_code::usage, "no format of these files is called " + shown(asked));
+            if (name_of(format) == requested) return format;
+        throw Error(Error_code::usage, "no format of these files is called " + shown(requested));
     }
     if (is_standard_input(file) && accepted.size() > 1)
         throw Error(Error_code::usage, "standard input has no extension: say with --format what it is");

@@ -25,11 +25,11 @@ inline constexpr std::array picture_formats{Format::png, Format::pgm};
 [[nodiscard]] std::string_view name_of(Format format);
 [[nodiscard]] std::vector<std::string> names_of(std::span<const Format> formats);
 
-/// The format of a file, one of `accepted`: the one that `asked` names, or by default that of the file's extension
+/// The format of a file, one of `accepted`: the one that `requested` names, or by default that of the file's extension
 /// (either case, and before .gz). Throws Input_error where the extension is that of another format or of none,
-/// Error(usage) where `asked` is invalid, and for standard input without `asked`, which has no extension.
+/// Error(usage) where `requested` is invalid, and for standard input without `requested`, which has no extension.
 [[nodiscard]] Format format_of(const std::filesystem::path& file, std::span<const Format> accepted,
-                               std::string_view asked = {});
+                               std::string_view requested = {});
 
 /// Whether the file's extension names this format.
 [[nodiscard]] bool has_extension_of(const std::filesystem::path& file, Format format);

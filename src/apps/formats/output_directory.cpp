@@ -99,9 +99,9 @@ Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_ho
     std::error_code code;
     exists_ = fs::exists(fs::symlink_status(path_, code));
     if (code && code != std::errc::no_such_file_or_directory && code != std::errc::not_a_directory)
-        fail(path_, "cannot be looked at", code);
+        fail(path_, "cannot be examined", code);
     try {
-        if (exists_) look_at_what_is_there(may_hold_files);
+        if (exists_) examine_contents(may_hold_files);
         else make_parents();
         make_room_for_content();
     } catch (...) {
@@ -112,13 +112,13 @@ Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_ho
 
 Output_directory::~Output_directory() { clean_up(); }
 
-void Output_directory::look_at_what_is_there(bool may_hold_files) {
+void Output_directory::examine_contents(bool may_hold_files) {
     std::error_code code;
     if (!fs::is_directory(path_, code)) refuse(path_, "is not a directory");
     const fs::path target = fs::canonical(path_, code);  // a link to a directory stays a link
-    if (code) fail(path_, "cannot be looked at", code);
+    if (code) fail(path_, "cannot be examined", code);
     fs::directory_iterator entry(target, code);
-    if (code) fail(path_, "cannot be looked at", code);
+    if (code) fail(path_, "cannot be examined", code);
     for (; entry != fs::directory_iterator(); entry.increment(code)) {
         const std::string name = entry->path().filename().string();
         if (is_left_over(entry->path())) continue;
@@ -128,7 +128,7 @@ void Output_directory::look_at_what_is_there(bool may_hold_files) {
                    "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
         one_by_one_ = one_by_one_ || !replaced_(name) || entry->is_directory(code);
     }
-    if (code) fail(path_, "cannot be looked at", code);
+    if (code) fail(path_, "cannot be examined", code);
     target_ = target;
     one_by_one_ = one_by_one_ || target_ == fs::current_path(code) || is_mount_point(target_);
 }

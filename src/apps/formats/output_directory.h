@@ -50,7 +50,7 @@ class Output_directory {
 
   private:
     [[nodiscard]] std::filesystem::path new_name(std::string_view name) const;
-    void look_at_what_is_there(bool may_hold_files);
+    void examine_contents(bool may_hold_files);
     void make_parents();
     void make_room_for_content();
     [[nodiscard]] bool exchange();

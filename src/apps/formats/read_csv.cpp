@@ -108,7 +108,7 @@ void Csv_frames::append(const Row& row, Raw_frame& frame) {
     frame.points.lines.push_back(row.line);
 }
 
-/// The number of a frame. The next row has been looked at.
+/// The number of a frame. The next row has been read.
 std::uint64_t Csv_frames::number_of(const Frame_value& value, std::uint64_t line) {
     if (!has_times_) has_times_ = !value.is_number || (has_row_ && !value_.is_number);
     if (*has_times_) return wants_ids() ? next_number_++ : value.number;

@@ -119,7 +119,7 @@ Tetrahedra_file read_tetrahedra(const std::filesystem::path& file) {
     const auto refuse = [&](std::string fault, std::string expected) {
         throw Input_error(Error_code::bad_input, source.name, content.last_line, std::move(fault), std::move(expected));
     };
-    if (content.dimension != 3) refuse("is a mesh of the plane", "Dimension 3");
+    if (content.dimension != 3) refuse("is a 2D mesh", "Dimension 3");
     if (!content.has_vertices) refuse("has no points", "a section Vertices");
     if (content.tetrahedra.cells.empty()) refuse("has no tetrahedra", "a section Tetrahedra");
     Tetrahedra_file mesh;

@@ -48,7 +48,7 @@ void Xyz_frames::read_plain(Raw_frame& frame) {
     const std::uint64_t first = reader_.number();
     frame.points.has_z = guess.columns().has_z;
     do {
-        guess.look_at(reader_);
+        guess.examine(reader_);
         read_row(guess.columns(), frame);
     } while (reader_.next_record());
     take(guess.columns());
@@ -74,7 +74,7 @@ void Xyz_frames::read(Raw_frame& frame) {
     for (std::uint64_t i = 0; i < count; ++i) {
         require_row(i, count, comment.columns ? &*comment.columns : nullptr, comment_row);
         if (!comment.columns) comment.columns = guess.emplace(Xyz_guess::of_counted(reader_)).columns();
-        if (guess) guess->look_at(reader_);
+        if (guess) guess->examine(reader_);
         read_row(*comment.columns, frame);
     }
     if (guess) guess->require_clear(reader_);

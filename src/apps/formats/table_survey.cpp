@@ -9,7 +9,7 @@ namespace annulus::inline v1 {
 
 namespace {
 
-void look_at(Table_rows& rows, Table_survey& survey, std::optional<Frame_value>& last) {
+void examine(Table_rows& rows, Table_survey& survey, std::optional<Frame_value>& last) {
     const Frame_value value = rows.frame();
     if (last && value < *last) survey.in_order = false;
     if (last && *last < value && value.is_number && last->is_number)
@@ -31,7 +31,7 @@ Table_survey survey_table(File_bytes& bytes, const Column_choice& choice) {
         std::optional<Frame_value> last;
         while (rows.next()) {
             reader.begin_piece();
-            look_at(rows, survey, last);
+            examine(rows, survey, last);
         }
     } catch (const Input_error&) {
     }

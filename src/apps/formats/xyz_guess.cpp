@@ -75,7 +75,7 @@ Xyz_guess Xyz_guess::of_counted(const Line_reader& reader) {
     return {reader, first, lead};
 }
 
-void Xyz_guess::look_at(const Line_reader& reader) {
+void Xyz_guess::examine(const Line_reader& reader) {
     const auto& fields = reader.fields();
     if (fields.size() != columns_.all) return;  // reported as a separate fault
     if (lead_ == Lead::name && !is_element_name(fields[0]))

@@ -20,7 +20,7 @@ class Xyz_guess {
 
     [[nodiscard]] const Xyz_columns& columns() const noexcept { return columns_; }
     /// Takes another row into account, the first one too, if it has as many fields as the first.
-    void look_at(const Line_reader& reader);
+    void examine(const Line_reader& reader);
     /// After the last row: fails at the line of the first row where the columns may be others than those taken.
     void require_clear(const Line_reader& reader) const;
     /// Whether the first of three columns has integers and the others have none; then it may be an id.

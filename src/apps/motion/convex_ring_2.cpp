@@ -80,7 +80,7 @@ Ring without_flat_corners(const Ring& ring) {
     return kept;
 }
 
-/// The corners dropped between hull corners a and b must be on the edge as far as rounding tells, one after another.
+/// The corners dropped between hull corners a and b must be on the edge, up to rounding, one after another.
 void require_edge(const Listed& a, const Listed& b, std::span<const Listed> between, bool reversed, double scale) {
     const Coordinates<2> d = minus(b.p, a.p);
     const double length = norm(d), slack = slack_at(scale);
@@ -144,8 +144,7 @@ void require_width(const Ring& ring, double scale) {
     }
     for (const Listed& c : ring) width = std::max(width, std::abs(cross(along, minus(c.p, from))) / length);
     if (width <= slack_at(scale) && width <= 1e-10 * length)
-        throw Corner_error(
-            0, "a polygon needs 3 corners that are not on a line; as far as rounding tells these are on one line");
+        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; up to rounding these are on one line");
 }
 
 /// Corners that all turn left go around as often as their direction comes from the lower half of all directions to

@@ -87,7 +87,7 @@ Domain_2 Domain_2::polygon(std::span<const Coordinates<2>> given) {
     const Cell_2 all = domain.whole(corners[0]);
     const Moments_2 m = moments(Density::one, all.origin, all.corners);
     domain.area_ = m.mass;
-    require(m.mass > 0, "a polygon must have an area, as far as rounding tells");
+    require(m.mass > 0, "a polygon must have an area that is not lost in rounding");
     domain.middle_ = {all.origin[0] + m.first[0] / m.mass, all.origin[1] + m.first[1] / m.mass};
     domain.inner_ = limit;
     for (const Half_plane_2& edge : domain.edges_)

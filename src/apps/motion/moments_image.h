@@ -16,8 +16,8 @@ namespace annulus::inline v1 {
 /// Gauss nodes are exact. No pixel inside the region is read: O(pixels that the edges cross).
 ///
 /// Relative to the mass the rounding is about 1e-16 (1 + 1 / h) times the quotient of the sum of the |P dy| and the
-/// mass; where that is above 1e10 the mass cannot be told from 0, and all moments are 0. Precondition: no arcs (they
-/// are taken for their chords).
+/// mass; where that is above 1e10 the mass cannot be distinguished from 0, and all moments are 0. Precondition: no arcs
+/// (they are taken for their chords).
 [[nodiscard]] Moments_2 image_moments(const Image_density& density, const Coordinates<2>& origin,
                                       std::span<const Corner_2> corners);
 

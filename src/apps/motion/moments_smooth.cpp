@@ -83,7 +83,7 @@ class Cones {
     }
 
   private:
-    /// Starts again, with `nodes` on edges or pieces of them and `pieces` of rays, each with `rule`; `lengths` tells
+    /// Starts again, with `nodes` on edges or pieces of them and `pieces` of rays, each with `rule`; `lengths` gives
     /// that it is a rule for t f.
     void add(int pieces, int nodes, const Gauss_rule& rule, bool lengths) {
         sum_ = {};

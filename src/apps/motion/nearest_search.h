@@ -35,7 +35,7 @@ double squared_gap(const Coordinates<3>& p, const Corner& lower, const Corner& u
 /// This needs only that no triangle's point is nearer than its box, which moving it into the box ensures, and that |p -
 /// box| >= |c - box| - |p - c| for the centre c. Each of these lengths, and that of the result, is a square root of
 /// three squares of differences: it errs by less than 5 u of itself, u = 2^-53, and by less than 1e-160 where squares
-/// are too small to be told from 0. `is_farther` leaves room for more than ten times as much.
+/// are too small to be distinguished from 0. `is_farther` leaves room for more than ten times as much.
 template <class Tree>
 class Nearest_search {
   public:
@@ -106,7 +106,7 @@ class Nearest_search {
         });
     }
 
-    void look_at(std::int32_t number, const Coordinates<3>& p, Best& best) const {
+    void examine(std::int32_t number, const Coordinates<3>& p, Best& best) const {
         const auto& t = tree_.triangle(number);
         // By literals: an index is an int to CGAL and a size to arrays.
         const auto [x, right] = std::minmax({t[0][0], t[1][0], t[2][0]});
@@ -125,12 +125,12 @@ class Nearest_search {
         Best best;
         if (nearby_.parts.empty()) return best;
         // This one is probably the nearest again; then the boxes of the others show that they are farther.
-        if (nearby_.last >= 0) look_at(nearby_.last, p, best);
+        if (nearby_.last >= 0) examine(nearby_.last, p, best);
         double distance = best.distance();
         for (const auto& part : nearby_.parts) {
             if (is_farther(part.least, away, distance)) break;
             if (part.number == nearby_.last) continue;
-            look_at(part.number, p, best);
+            examine(part.number, p, best);
             distance = best.distance();
         }
         nearby_.last = best.number;

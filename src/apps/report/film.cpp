@@ -38,14 +38,14 @@ void Film::clip(Picture& picture) {
 
 void Film::add(std::uint64_t number, Picture picture, bool last) {
     frames_ = std::max(frames_, number + 1);
-    if (!last && !wants(number)) return;
+    if (!last && !includes(number)) return;
     if (!pictures_.empty() && pictures_.back().number == number) return;
     const std::size_t vertices = picture.points.size();
     clip(picture);
     pictures_.push_back({number, std::move(picture), vertices});
     if (last || pictures_.size() < most_pictures) return;
     stride_ *= 2;
-    std::erase_if(pictures_, [this](const Shot& shot) { return !wants(shot.number); });
+    std::erase_if(pictures_, [this](const Shot& shot) { return !includes(shot.number); });
 }
 
 std::string Film::html() const {

@@ -19,7 +19,7 @@ class Film {
     static constexpr std::size_t most_vertices = 2000;  ///< else a window with about half as many
 
     /// Whether add() would keep the picture of frame `number`, counted from 0.
-    [[nodiscard]] bool wants(std::uint64_t number) const { return number % stride_ == 0; }
+    [[nodiscard]] bool includes(std::uint64_t number) const { return number % stride_ == 0; }
     /// Numbers of frames ascend. The last frame is always kept.
     void add(std::uint64_t number, Picture picture, bool last = false);
 

@@ -81,7 +81,7 @@ std::optional<Benchmark_record> Checkpoints::find(const std::string& name) const
     const auto text = content(directory_ / (name + ".json"));
     if (!text) return std::nullopt;
     try {
-        Benchmark_record benchmark = parse_race(*text);
+        Benchmark_record benchmark = parse_benchmark(*text);
         if (benchmark.name == name) return benchmark;
     } catch (const Error&) {  // the part is computed again
     }
@@ -89,7 +89,7 @@ std::optional<Benchmark_record> Checkpoints::find(const std::string& name) const
 }
 
 void Checkpoints::keep(const Benchmark_record& benchmark) const {
-    write(benchmark.name + ".json", race_text(benchmark));
+    write(benchmark.name + ".json", benchmark_text(benchmark));
 }
 
 void Checkpoints::remove() const { std::filesystem::remove_all(directory_); }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <apps/report/axis_ticks.h>
+#include <apps/reproduction/benchmark_statistics.h>
 #include <apps/reproduction/claims.h>
-#include <apps/reproduction/race_statistics.h>
 
 #include <algorithm>
 #include <cmath>

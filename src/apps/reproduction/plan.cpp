@@ -65,7 +65,7 @@ std::set<std::uint64_t> decades(std::uint64_t steps, bool after) {
     return out;
 }
 
-bool asked(const Reproduction_size& size, std::initializer_list<const char*> topics) {
+bool selected(const Reproduction_size& size, std::initializer_list<const char*> topics) {
     return size.only.empty() || std::any_of(topics.begin(), topics.end(), [&](const char* t) {
                return std::find(size.only.begin(), size.only.end(), t) != size.only.end();
            });
@@ -83,7 +83,7 @@ std::uint64_t sampled(std::uint64_t steps, std::uint64_t every) {
 void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
     const std::uint64_t steps = steps_of(size, 100);
     for (const char* density : {"one", "x2"}) {
-        if (!asked(size, {"fig5"})) continue;
+        if (!selected(size, {"fig5"})) continue;
         Part_plan p;
         p.motion = {.dimension = 2, .vertices = size.quick ? 500U : 1000U, .density = density};
         p.benchmark = {.name = std::string("points-") + density,
@@ -94,7 +94,7 @@ void add_lloyd(const Reproduction_size& size, std::vector<Part_plan>& out) {
     }
     for (const char* density : {"one", "x2+y2", "x2", "sin2"}) {
         const bool x2 = std::string(density) == "x2";
-        if (!asked(size, {"fig7"}) && !(x2 && asked(size, {"fig6", "fig11"}))) continue;
+        if (!selected(size, {"fig7"}) && !(x2 && selected(size, {"fig6", "fig11"}))) continue;
         Part_plan p;
         p.motion = {.dimension = 2, .vertices = size.quick ? 2000U : 10'000U, .density = density};
         p.benchmark = {.name = std::string("lloyd-") + density,
@@ -138,8 +138,9 @@ void add_bodies(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const Body& b : bodies) {
         const std::string name = b.name;
         if (name != "sphere" && !size.surfaces) continue;
-        const bool wanted = asked(size, {"fig8", "fig12"}) || (name == "sphere" && asked(size, {"fig10", "fig11"})) ||
-                            (name == "bunny" && asked(size, {"fig11"})) || (name == "man" && asked(size, {"fig9"}));
+        const bool wanted =
+            selected(size, {"fig8", "fig12"}) || (name == "sphere" && selected(size, {"fig10", "fig11"})) ||
+            (name == "bunny" && selected(size, {"fig11"})) || (name == "man" && selected(size, {"fig9"}));
         if (!wanted) continue;
         Part_plan p = body_part(size, b);
         const std::uint64_t steps = p.benchmark.steps;
@@ -163,7 +164,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
         const std::string name = b.name;
         const bool sphere = name == "sphere";
         if (!sphere && (name != "bunny" || !size.surfaces)) continue;
-        for (std::uint64_t draw = 0; asked(size, {"slivers"}) && draw < (sphere ? 5U : 1U); ++draw) {
+        for (std::uint64_t draw = 0; selected(size, {"slivers"}) && draw < (sphere ? 5U : 1U); ++draw) {
             Part_plan p = body_part(size, b);
             p.benchmark.name = "graded-" + name + (draw > 0 ? "-" + std::to_string(draw + 1) : "");
             p.benchmark.title = std::string("Natural ODT, variable sizing, ") + b.title +
@@ -175,7 +176,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
             out.push_back(p);
         }
         for (const int degrees : {15, 5, 10, 20, 25}) {
-            if (!asked(size, {"locked"}) || (!sphere && degrees != 15)) continue;
+            if (!selected(size, {"locked"}) || (!sphere && degrees != 15)) continue;
             Part_plan p = body_part(size, b);
             p.benchmark.name = "locked-" + name + (degrees != 15 ? "-" + std::to_string(degrees) : "");
             p.benchmark.title = "Natural ODT with locks of " + std::to_string(degrees) + " degrees, " + b.title;
@@ -189,7 +190,7 @@ void add_qualities(const Reproduction_size& size, std::vector<Part_plan>& out) {
 template <int d>
 void add_movers(const Reproduction_size& size, std::vector<Part_plan>& out) {
     for (const int percent : {1, 10, 100}) {
-        if (!asked(size, {"movers"})) continue;
+        if (!selected(size, {"movers"})) continue;
         Part_plan p;
         p.motion = {.dimension = d, .vertices = size.quick ? 2000U : 10'000U, .movers = percent / 100.0, .pace = 0.05};
         p.benchmark.name = std::string(d == 2 ? "movers-plane-" : "movers-space-") + std::to_string(percent);

@@ -53,9 +53,9 @@ bool is_sound(const Benchmark_record& benchmark) {
 
 }  // namespace
 
-std::string race_text(const Benchmark_record& benchmark) { return nlohmann::json(benchmark).dump() + "\n"; }
+std::string benchmark_text(const Benchmark_record& benchmark) { return nlohmann::json(benchmark).dump() + "\n"; }
 
-Benchmark_record parse_race(const std::string& text) {
+Benchmark_record parse_benchmark(const std::string& text) {
     try {
         Benchmark_record benchmark = nlohmann::json::parse(text).get<Benchmark_record>();
         if (!is_sound(benchmark))

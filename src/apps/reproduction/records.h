@@ -121,9 +121,9 @@ struct Benchmark_record {
     std::vector<std::string> notes;
 };
 
-/// As text that `parse_race` reads back exactly, bit for bit.
-[[nodiscard]] std::string race_text(const Benchmark_record& benchmark);
+/// As text that `parse_benchmark` reads back exactly, bit for bit.
+[[nodiscard]] std::string benchmark_text(const Benchmark_record& benchmark);
 /// Throws Error(bad_input) for anything else.
-[[nodiscard]] Benchmark_record parse_race(const std::string& text);
+[[nodiscard]] Benchmark_record parse_benchmark(const std::string& text);
 
 }  // namespace annulus::inline v1

@@ -7,9 +7,9 @@
 #include <apps/report/axis_ticks.h>
 #include <apps/report/page.h>
 #include <apps/report/table.h>
+#include <apps/reproduction/benchmark_statistics.h>
 #include <apps/reproduction/claims.h>
 #include <apps/reproduction/figures.h>
-#include <apps/reproduction/race_statistics.h>
 
 #include <algorithm>
 
@@ -109,7 +109,7 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
     if (!r.size.only.empty()) {
         std::string only;
         for (const std::string& topic : r.size.only) only += (only.empty() ? "" : ", ") + topic;
-        out += "<p class=\"verdict\">Only " + escaped(only) + " was asked for.</p>\n";
+        out += "<p class=\"verdict\">Only " + escaped(only) + " was requested.</p>\n";
     }
     out += "<h2>Claims</h2>\n" + claim_table(claims) + "<h2>Figures</h2>\n<ul>\n";
     for (const Page_content& page : pages)

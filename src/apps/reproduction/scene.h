@@ -26,7 +26,7 @@ class Scene {
     [[nodiscard]] virtual Picture picture(std::string caption) const = 0;
     /// Of a 3D mesh at its present positions; resting vertices are those of the last step.
     [[nodiscard]] virtual std::optional<Mesh_step> quality() = 0;
-    /// What a reader should know about it, a paragraph each.
+    /// Remarks on it for a reader, a paragraph each.
     [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 };
 

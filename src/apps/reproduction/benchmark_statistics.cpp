@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <apps/reproduction/race_statistics.h>
+#include <apps/reproduction/benchmark_statistics.h>
 
 #include <algorithm>
 

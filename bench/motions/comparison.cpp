@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "race.h"
+#include "comparison.h"
 
 #include "cgal_rebuild.h"
 #include "follower.h"
@@ -27,9 +27,9 @@ struct Runner {
 };
 
 template <int d>
-Runner<d> runner(const std::string& name, const Race& race, const Points<d>& x, Stopwatch watch) {
+Runner<d> runner(const std::string& name, const Comparison& comparison, const Points<d>& x, Stopwatch watch) {
     const double begin = watch.seconds();
-    Runner<d> r{name, follower<d>(name, race.threads, x), 0.0, {}, {}, 0};
+    Runner<d> r{name, follower<d>(name, comparison.threads, x), 0.0, {}, {}, 0};
     r.construction = watch.seconds() - begin;
     return r;
 }
@@ -37,18 +37,19 @@ Runner<d> runner(const std::string& name, const Race& race, const Points<d>& x, 
 }  // namespace
 
 template <int d>
-int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_json& out) {
-    const Stopwatch watch(race.threads);
+int compare(Motion<d>& motion, const Comparison& comparison, const std::string& name, ordered_json& out) {
+    const Stopwatch watch(comparison.threads);
     std::vector<Runner<d>> runners;
-    for (const std::string& who : race.strategies) runners.push_back(runner<d>(who, race, motion.points(), watch));
+    for (const std::string& s : comparison.strategies)
+        runners.push_back(runner<d>(s, comparison, motion.points(), watch));
     std::vector<double> cgal;
     std::vector<double> nanoseconds;  // of CGAL, per vertex
     std::vector<double> displacement;
     std::vector<double> count;
     std::size_t moves = 0;  // including insertions and removals
     const std::size_t turns = runners.size() + 1;
-    for (int step = 0; step < race.warm + race.steps && motion.step(); ++step) {
-        const bool counts = step >= race.warm;
+    for (int step = 0; step < comparison.warm + comparison.steps && motion.step(); ++step) {
+        const bool counts = step >= comparison.warm;
         const Points<d> present = motion.present();
         if (counts) {
             displacement.push_back(motion.mean_displacement());
@@ -56,27 +57,27 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
             moves += motion.leave().size() + motion.arrive().size();
         }
         for (std::size_t k = 0; k < turns; ++k) {
-            const std::size_t who = (k + static_cast<std::size_t>(step)) % turns;
-            if (who == runners.size()) {
+            const std::size_t turn = (k + static_cast<std::size_t>(step)) % turns;
+            if (turn == runners.size()) {
                 const double s = cgal_rebuild<d>(present, watch);
                 if (!counts) continue;
                 cgal.push_back(s);
                 nanoseconds.push_back(1e9 * s / std::max(count.back(), 1.0));
                 continue;
             }
-            Runner<d>& r = runners[who];
+            Runner<d>& r = runners[turn];
             Move_result report;
             const double s = r.follower->follow(motion, watch, report);
             if (!counts) continue;
             r.seconds.push_back(s);
             r.report += report;
-            if (race.audit_all && !r.follower->is_delaunay()) ++r.failed_audits;
+            if (comparison.audit_all && !r.follower->is_delaunay()) ++r.failed_audits;
         }
     }
     const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
     out["points"] = static_cast<std::size_t>(quantile(count, 0.5));
     out["steps"] = cgal.size();
-    out["threads"] = race.threads;
+    out["threads"] = comparison.threads;
     out["displacement"] = quantile(displacement, 0.5);
     out["came_and_went"] = moves;
     out["cgal_ns"] = quantile(nanoseconds, 0.5);
@@ -92,7 +93,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
             cost.push_back(r.seconds[i] / cgal[i]);
             ns.push_back(1e9 * r.seconds[i] / std::max(count[i], 1.0));
         }
-        if (race.audit && !r.follower->is_delaunay()) ++r.failed_audits;
+        if (comparison.audit && !r.follower->is_delaunay()) ++r.failed_audits;
         failed += r.failed_audits;
         const double asked = static_cast<double>(std::max<std::uint64_t>(r.report.moves.asked, 1));
         const auto share = [&](std::uint64_t k) { return static_cast<double>(k) / asked; };
@@ -121,7 +122,7 @@ int race(Motion<d>& motion, const Race& race, const std::string& name, ordered_j
     return failed;
 }
 
-template int race<2>(Motion<2>&, const Race&, const std::string&, ordered_json&);
-template int race<3>(Motion<3>&, const Race&, const std::string&, ordered_json&);
+template int compare<2>(Motion<2>&, const Comparison&, const std::string&, ordered_json&);
+template int compare<3>(Motion<3>&, const Comparison&, const std::string&, ordered_json&);
 
 }  // namespace bench

@@ -14,7 +14,7 @@
 namespace bench {
 
 /// The contenders, and the length of the run.
-struct Race {
+struct Comparison {
     std::vector<std::string> strategies{"auto", "auto:view", "auto:mesh"};  ///< names as in `follower`
     int steps = 24;                                                         ///< timed ones; fewer where the motion ends
     int warm = 3;                                                           ///< before them
@@ -27,9 +27,9 @@ struct Race {
 /// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Writes the results to `out`, and
 /// prints a line that begins with `name`. Returns the number of failed audits.
 template <int d>
-int race(Motion<d>& motion, const Race& race, const std::string& name, nlohmann::ordered_json& out);
+int compare(Motion<d>& motion, const Comparison& comparison, const std::string& name, nlohmann::ordered_json& out);
 
-extern template int race<2>(Motion<2>&, const Race&, const std::string&, nlohmann::ordered_json&);
-extern template int race<3>(Motion<3>&, const Race&, const std::string&, nlohmann::ordered_json&);
+extern template int compare<2>(Motion<2>&, const Comparison&, const std::string&, nlohmann::ordered_json&);
+extern template int compare<3>(Motion<3>&, const Comparison&, const std::string&, nlohmann::ordered_json&);
 
 }  // namespace bench
