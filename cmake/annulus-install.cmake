@@ -17,6 +17,11 @@ if(TARGET annulus-c)
     configure_file(cmake/annulus_c.pc.in annulus_c.pc @ONLY)
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulus_c.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
             COMPONENT development)
+    # Sources, for any compiler; annulusConfig.cmake makes a target of the first.
+    install(FILES "${annulus_fortran_file}" DESTINATION "${CMAKE_INSTALL_DATADIR}/annulus/fortran"
+            COMPONENT development)
+    install(DIRECTORY julia/Annulus DESTINATION "${CMAKE_INSTALL_DATADIR}/annulus/julia" COMPONENT development
+            PATTERN "Manifest.toml" EXCLUDE)
 endif()
 include(annulus-headers)
 foreach(header IN LISTS annulus_plain_headers annulus_view_headers)
@@ -27,7 +32,7 @@ endforeach()
 install(EXPORT annulusTargets NAMESPACE annulus:: DESTINATION "${annulus_package_dir}" COMPONENT development)
 
 configure_package_config_file(cmake/annulusConfig.cmake.in annulusConfig.cmake
-                              INSTALL_DESTINATION "${annulus_package_dir}")
+                              INSTALL_DESTINATION "${annulus_package_dir}" PATH_VARS CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(annulusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/annulusConfig.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/annulusConfigVersion.cmake"

@@ -73,8 +73,8 @@ file(CONFIGURE OUTPUT packages/triggers CONTENT "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
     "${CMAKE_CURRENT_BINARY_DIR}/packages/shlibs;${CMAKE_CURRENT_BINARY_DIR}/packages/triggers")
 annulus_package(development libannulus-dev libdevel "Delaunay triangulations of moving points, development files"
-    "This package has the headers and libraries for programs in C++ and C, and what\n\
-CMake and pkg-config need to find them."
+    "This package has the headers and libraries for programs in C++ and C, what\n\
+CMake and pkg-config need to find them, and sources for Fortran and Julia."
     "libcgal-dev (>= 5.5), libgmp-dev, libmpfr-dev, libboost-dev, libtbb-dev")
 annulus_package(tool annulus science "Delaunay triangulations of moving points, command-line tool"
     "This package has the tool: Lloyd iterations, optimisation of tetrahedral\n\

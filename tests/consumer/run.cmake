@@ -29,4 +29,15 @@ if(C_COMPILER)
     find_program(C_CONSUMER c-consumer PATHS "${SCRATCH}/build-c" "${SCRATCH}/build-c/${CONFIG}"
                  NO_DEFAULT_PATH REQUIRED)
     step("${C_CONSUMER}")
+    # A project in Fortran alone.
+    find_program(FORTRAN_COMPILER NAMES $ENV{FC} gfortran)
+    if(FORTRAN_COMPILER)
+        step("${CMAKE_COMMAND}" -S "${SOURCE}/fortran" -B "${SCRATCH}/build-fortran" -G "${GENERATOR}"
+             "-DCMAKE_PREFIX_PATH=${SCRATCH}/prefix" "-DCMAKE_Fortran_COMPILER=${FORTRAN_COMPILER}"
+             "-DCMAKE_BUILD_TYPE=${CONFIG}" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+        step("${CMAKE_COMMAND}" --build "${SCRATCH}/build-fortran" --config "${CONFIG}")
+        find_program(FORTRAN_CONSUMER fortran-consumer PATHS "${SCRATCH}/build-fortran"
+                     "${SCRATCH}/build-fortran/${CONFIG}" NO_DEFAULT_PATH REQUIRED)
+        step("${FORTRAN_CONSUMER}")
+    endif()
 endif()
