@@ -53,7 +53,7 @@ class PeriodicDelaunay:
 
     Notes
     -----
-    Every `move` builds anew, and costs what constructing costs. There are no tolerances, no lists of changes, no
+    Every `move` rebuilds, and costs what constructing costs. There are no tolerances, no lists of changes, no
     insertion and no removal with a box yet: what `MovingDelaunay` has and this class has not raises a
     `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
 
