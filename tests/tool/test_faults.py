@@ -30,7 +30,7 @@ class Faults(ToolTest):
         self.succeed(*LLOYD, "--output", "plane", "--quiet")
         self.calls = [LLOYD, ["nodt", "--surface", "tetrahedron.off", "--vertices", "30", "--iterations", "1"],
                       ["replay", "motion.csv"], ["audit", "plane/final.mesh"], ["degeneracy", "points.xyz"],
-                      ["counterexample"]]
+                      ["advise", "motion.csv"], ["counterexample"]]
 
     def every_call(self, *options):
         """Every subcommand with `options`, which come before the motion of compare."""

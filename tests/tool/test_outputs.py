@@ -154,10 +154,11 @@ class Outputs(ToolTest):
         self.xyz("points.xyz", tool.SPREAD)
         self.succeed(*self.RUN, "--output", "run")
         for words in (["compare", "--output", "a", "--", *self.RUN], ["audit", "run/final.mesh", "--output", "b"],
-                      ["degeneracy", "points.xyz", "--output", "c"], ["counterexample", "--output", "d"]):
+                      ["degeneracy", "points.xyz", "--output", "c"], ["counterexample", "--output", "d"],
+                      ["advise", "points.xyz", "--output", "e"]):
             self.succeed(*words)
         for file in ("run/summary.json", "a/compare.json", "b/audit.json", "c/degeneracy.json",
-                     "d/counterexample.json"):
+                     "d/counterexample.json", "e/advise.json"):
             content = json.loads((self.here / file).read_text(encoding="utf-8"))
             self.assertEqual(content["version"], version, file)
             self.assertTrue(content["command"].startswith("annulus "), file)

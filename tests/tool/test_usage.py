@@ -10,7 +10,7 @@ from tool import STRATEGIES, TRIANGLE, ToolTest
 
 
 SUBCOMMANDS = {"lloyd", "nodt", "replay", "compare", "audit", "degeneracy", "generate", "sweep", "reproduce",
-               "counterexample"}
+               "counterexample", "advise"}
 
 
 class Usage(ToolTest):
@@ -44,6 +44,7 @@ class Usage(ToolTest):
         self.succeed("nodt", "--sphere", "--vertices", "30", "--iterations", "1", *common, "nodt")
         self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n")
         self.succeed("replay", "motion.csv", *common, "replay")
+        self.succeed("advise", "motion.csv", *common, "advise")
         self.xyz("three.xyz", TRIANGLE)
         self.succeed("degeneracy", "three.xyz", *common, "degeneracy")
         self.succeed("generate", "grid", "--points", "9", *common, "points.csv")
@@ -64,7 +65,7 @@ class Usage(ToolTest):
         one = {name for name in SUBCOMMANDS if "one thread is used here" in said[name]}
         self.assertEqual(one, {"audit", "generate", "counterexample"})
         self.assertEqual({name for name in SUBCOMMANDS if "nothing is random here" in said[name]},
-                         {"audit", "degeneracy", "counterexample"})
+                         {"audit", "degeneracy", "counterexample", "advise"})
         for name in SUBCOMMANDS - one:
             self.assertRegex(said[name],
                              r"--threads INT:1 to 1024=1 Threads [^.]*; results do not depend on (it|them)\b", name)
@@ -119,6 +120,7 @@ class Usage(ToolTest):
             ["nodt", "--sphere", "--vertices", "30", "--allow-crossing"],
             ["replay"],
             ["degeneracy"],
+            ["advise"],
             ["audit"],
             ["audit", "x.mesh", "--output", ""],
             ["counterexample", "--output", ""],

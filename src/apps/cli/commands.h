@@ -20,6 +20,7 @@ struct Invocation {
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation);
 Run add_nodt_command(CLI::App& app, const Invocation& invocation);
+Run add_advise_command(CLI::App& app, const Invocation& invocation);
 Run add_replay_command(CLI::App& app, const Invocation& invocation);
 Run add_audit_command(CLI::App& app, const Invocation& invocation);
 Run add_degeneracy_command(CLI::App& app, const Invocation& invocation);

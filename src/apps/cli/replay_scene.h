@@ -55,6 +55,8 @@ class Replayed_frames {
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] bool at_end();
     bool next(Frame_points<d>& frame);
+    /// The frame of which the last one with points was made: with coincident points.
+    [[nodiscard]] const Frame& as_read() const { return frame_; }
     [[nodiscard]] const Motion_reader& reader() const { return reader_; }
 
   private:

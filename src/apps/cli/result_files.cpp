@@ -13,9 +13,9 @@ namespace annulus::inline v1::cli {
 namespace {
 
 /// The main result files, by which a directory of results is recognised. Each contains its command.
-constexpr std::array<std::string_view, 7> heads{"summary.json",    "compare.json",        "audit.json",
+constexpr std::array<std::string_view, 8> heads{"summary.json",    "compare.json",        "audit.json",
                                                 "degeneracy.json", "counterexample.json", "reproduction.json",
-                                                "sums.json"};
+                                                "sums.json",       "advise.json"};
 constexpr std::array<std::string_view, 13> others{
     "iterations.csv", "dihedral.csv", "final.mesh",  "domain.mesh", "final.vtu",    "report.html", "degeneracy.html",
     "degeneracy.csv", "frames.pvd",   "voronoi.csv", "changes.csv", "stipples.svg", "ids.csv"};
