@@ -58,6 +58,8 @@ RIGHT = {
     "nearest_vertex": (lambda **named: annulus.MovingDelaunay(X).nearest_vertex(**named), {"xi": X}),
     "interpolate": (lambda **named: annulus.MovingDelaunay(X).interpolate(**named), {"values": X[:, 0], "xi": X}),
     "t1": (annulus.t1, {"report": annulus.MovingDelaunay(X).move(X)}),
+    "analyze": (annulus.analyze, {"source": [X, X], "what": "volumes", "clip": [[0, 0], [1, 1]]}),
+    "analyze in a box": (annulus.analyze, {"source": [X, X], "box": [1.0, 1.5]}),
     "annulus.audit": (annulus.audit, {"points": X, "simplices": annulus.MovingDelaunay(X).simplices, "max_faults": 3}),
     "degeneracy": (annulus.degeneracy, {"points": X}),
     "counterexample": (annulus.counterexample, {}),
@@ -66,17 +68,18 @@ RIGHT = {
     "nodt": (annulus.nodt, {"surface": "sphere", "vertices": 30, "iterations": 1}),
 }
 # What these are made of is not looked at: results, and exceptions.
-PLAIN = {"AuditResult", "Fault", "LloydResult", "NodtResult", "MoveResult", "MoveStatistics", "Error",
-         "NotAvailableError", "OpenBoundariesWarning", "Voronoi"}
+PLAIN = {"Analysis", "AnalysisStream", "AuditResult", "Error", "Fault", "FrameResult", "LloydResult", "MoveResult",
+         "MoveStatistics", "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "Voronoi"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
 # a name of a file is said in full.
 NO_FAULT = {("move some", "indices"): {"None"}, ("lloyd", "callback"): {"type"},
             ("lloyd of points", "callback"): {"type"}, ("nodt", "callback"): {"type"},
-            ("nodt", "surface"): {"long str"}}
+            ("nodt", "surface"): {"long str"}, ("analyze", "source"): {"long str"},
+            ("analyze in a box", "source"): {"long str"}}
 # Other names for what an argument is.
-ALSO = {"domain": "polygon", "indices": "index"}
+ALSO = {"domain": "polygon", "indices": "index", "source": "frame"}
 
 
 def public_callables():

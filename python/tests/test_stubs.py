@@ -41,7 +41,8 @@ def test_everything_is_explained():
     things = [getattr(annulus, name) for name in annulus.__all__ if name != "__version__"]
     things += [getattr(annulus.MovingDelaunay, name) for name in dir(annulus.MovingDelaunay)
                if not name.startswith("_")]
-    things += [getattr(kind, name) for kind in (annulus.MoveResult, annulus.MoveStatistics) for name in public(kind)]
+    kinds = (annulus.MoveResult, annulus.MoveStatistics, annulus.Analysis, annulus.AnalysisStream)
+    things += [getattr(kind, name) for kind in kinds for name in public(kind)]
     for thing in things:
         assert inspect.getdoc(thing), thing
     for name in ("move", "insert", "find_simplex", "remove", "voronoi_volumes", "voronoi", "neighbor_list",
@@ -95,6 +96,10 @@ n: int = result.statistics.flips + dt.nvertices + annulus.lloyd(10, 1).report.as
 s = annulus.nodt("sphere", 100).simplices
 new = dt.insert([[0.0, 0.0, 0.0]])
 dt.remove(new)
+whole: annulus.Analysis = annulus.analyze(np.zeros((2, 5, 2)), "volumes", box=[1, 1])
+stream: annulus.AnalysisStream = annulus.analyze([np.zeros((5, 2))], ("pairs",), stream=True)
+for frame in stream:
+    n = frame.npoints + len(frame.pairs) + len(whole)
 """, encoding="utf-8")
     mypy = ([sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"],
                                                              capture_output=True, check=False).returncode == 0
