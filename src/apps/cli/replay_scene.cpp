@@ -36,7 +36,7 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
         ->capture_default_str();
     app.add_option("--absent-frames", a.absent,
                    "Gaps in the frame numbers of a table: refuse them, empty: all points disappear for one step\n"
-                   "and appear again, or skip: one step spans the gap")
+                   "and appear again, or skip: one step spans the gap, and times may be any distance apart")
         ->check(CLI::IsMember({"refuse", "empty", "skip"}))
         ->capture_default_str();
     add_open(app, a.open);

@@ -46,6 +46,20 @@ void Frame_reader::note(std::uint64_t line, const std::string& text) {
     notes_.push_back(reader_.name() + ":" + std::to_string(line) + ": " + text);
 }
 
+void Frame_reader::add_to_coordinates(const std::string& words) {
+    for (auto& [what, where] : columns_)
+        if (what == "x" || what == "y" || what == "z") where += words;
+}
+
+void Frame_reader::conclude() {
+    if (!shared_ids_.none()) return;
+    std::string column = "ids";
+    for (const auto& [what, where] : columns_)
+        if (what == "id") column = where;
+    note(1, "no id is in two frames in a row: " + column + " may not number tracks");
+    shared_ids_ = {};
+}
+
 void Frame_reader::meet_box(const std::string& what) {
     if (!options_.box.ignored)
         reader_.fail(what + ": a periodic box, and these are not supported",

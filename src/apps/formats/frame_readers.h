@@ -5,6 +5,7 @@
 #include <apps/formats/periodic_box.h>
 #include <apps/formats/point_formats.h>
 #include <apps/formats/point_ids.h>
+#include <apps/formats/shared_ids.h>
 #include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
 #include <apps/formats/xyz_guess.h>
@@ -37,7 +38,8 @@ enum class Frame_contents { points, motion };
 struct Frame_options {
     Frame_contents wanted = Frame_contents::motion;
     Periodic_box box{};
-    Column_choice columns{};  ///< of a table
+    Column_choice columns{};    ///< of a table
+    bool any_distance = false;  ///< of times: neither refused nor told
     bool in_order = true;  ///< frames ascend; else rows of a table are taken as they come, and a frame may come twice
 };
 
@@ -61,6 +63,10 @@ class Frame_reader {
     [[nodiscard]] const std::vector<std::string>& notes() const noexcept { return notes_; }
     /// Whether a periodic box was ignored.
     [[nodiscard]] bool ignored_box() const noexcept { return ignored_box_; }
+    /// Takes the ids of the frame just read, ascending, to find whether frames share any.
+    void take_ids(const std::vector<std::uint64_t>& ascending) { shared_ids_.take(ascending); }
+    /// Notes after the last frame what can be said of all of them.
+    void conclude();
     /// How the ids of the frames read so far are written.
     [[nodiscard]] const Point_ids& ids() const noexcept { return ids_; }
     /// The least difference of the numbers of successive frames, if it was known before they are read.
@@ -82,6 +88,9 @@ class Frame_reader {
         if (columns_.empty()) columns_ = std::move(columns);
     }
 
+    /// Appends to what is told of the coordinates.
+    void add_to_coordinates(const std::string& words);
+
     Line_reader reader_;
     Frame_options options_;
     Point_ids ids_;
@@ -98,6 +107,7 @@ class Frame_reader {
     Taken_columns columns_;
     std::vector<std::string> notes_;
     std::optional<bool> found_;  ///< the beginning of another frame, if it was looked for
+    Shared_ids shared_ids_;
 };
 
 /// XYZ: a count, a comment (extended XYZ is supported: xyz_comment.h), and that many rows. Without `Properties` a row

@@ -12,7 +12,9 @@ Motion_reader::Motion_reader(const std::filesystem::path& file, const Motion_opt
     : bytes_(std::make_unique<File_bytes>(file)), absent_(options.absent) {
     const Format format = format_of(file, frame_formats, options.format);
     if (format != Format::csv) absent_ = Absent_frames::skip;  // these formats have frames without points
-    frames_ = frames_of(*bytes_, format, {.box = options.box, .columns = options.columns});
+    frames_ = frames_of(
+        *bytes_, format,
+        {.box = options.box, .columns = options.columns, .any_distance = options.absent == Absent_frames::skip});
 }
 
 void Motion_reader::fail(std::uint64_t line, std::string fault, std::string expected) const {
@@ -87,6 +89,7 @@ bool Motion_reader::next(Frame& frame) {
         if (!frames_->next(raw_)) {
             if (!any_) fail(1, "has no frames", "at least one");
             if (!has_z_) fail(1, "has no points in any frame", "at least one");
+            frames_->conclude();
             return false;
         }
         any_ = true;
@@ -96,6 +99,7 @@ bool Motion_reader::next(Frame& frame) {
     raw_waits_ = false;
     last_ = raw_.number;
     sort_by_id(frame);
+    frames_->take_ids(frame.id);
     return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -70,6 +71,7 @@ Csv_frames::Row Csv_frames::row() {
     if (result.is_absent) return result;
     if (wants_ids()) result.id = rows_.id(ids_);
     result.position = rows_.position();
+    if (rows_.has_decimal_comma() && !std::exchange(told_comma_, true)) add_to_coordinates(", decimal comma");
     return result;
 }
 
@@ -108,9 +110,24 @@ void Csv_frames::append(const Row& row, Raw_frame& frame) {
     frame.points.lines.push_back(row.line);
 }
 
+/// Looks at how far the times of frames are apart.
+void Csv_frames::take_time(double time, std::uint64_t line) {
+    distances_.take(time, line);
+    if (distances_.by_rounding())
+        reader_.fail_at(distances_.line(),
+                        "the time of this frame is " + distances_.closest() +
+                            ", which differ by rounding: rows of one frame would be in two",
+                        "the same time in all rows of a frame, or numbers of frames, or --absent-frames skip");
+    if (!distances_.are_uneven() || std::exchange(noted_distance_, true)) return;
+    char range[80];
+    std::snprintf(range, sizeof range, "%.6g to %.6g", distances_.least(), distances_.most());
+    note(line, std::string("the times of frames are ") + range + " apart, and each is the next frame");
+}
+
 /// The number of a frame. The next row has been read.
 std::uint64_t Csv_frames::number_of(const Frame_value& value, std::uint64_t line) {
     if (!has_times_) has_times_ = !value.is_number || (has_row_ && !value_.is_number);
+    if (*has_times_ && wants_ids() && options_.in_order && !options_.any_distance) take_time(value.time, line);
     if (*has_times_) return wants_ids() ? next_number_++ : value.number;
     if (!value.is_number)
         reader_.fail_at(line, "the frame is " + text_of(value) + ", and those before are whole numbers",
@@ -149,7 +166,9 @@ void Csv_frames::read(Raw_frame& frame) {
 }
 
 void Csv_frames::refuse_more(const Raw_frame& frame) const {
-    reader_.fail("a second frame after frame " + std::to_string(frame.number), "one frame, or no column frame");
+    const std::string after = value_.is_number ? " after frame " + std::to_string(frame.number) : "";
+    reader_.fail("a second frame" + after + ", by " + column_words(*rows_.header().columns.at[frame_column]),
+                 "one frame, or no column frame");
 }
 
 }  // namespace annulus::inline v1

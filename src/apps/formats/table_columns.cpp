@@ -3,10 +3,10 @@
 #include <apps/formats/csv_fields.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/table_columns.h>
+#include <apps/formats/table_names.h>
 
 #include <algorithm>
 #include <charconv>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -14,31 +14,9 @@ namespace annulus::inline v1 {
 
 namespace {
 
-using Name_list = std::initializer_list<std::string_view>;
-
-/// In lower case, without blanks, underscores, hyphens and units; those that come first are preferred. PeTrack and
-/// trackpy call it frame, JuPedSim FR, CellProfiler ImageNumber; napari t, Pathfinder t, crowd:it time.
-const Name_list frame_names{"frame",       "fr", "framenumber", "frameno",  "frameid",   "frameindex",
-                            "imagenumber", "t",  "time",        "timestep", "positiont", "simtime"};
-/// TrackMate and napari have TRACK_ID, Imaris TrackID, MTrackJ TID, trackpy particle, MosaicSuite Trajectory.
-const Name_list id_names{"trackid",      "trackingid", "track",      "trajectory", "trajectoryid",
-                         "tid",          "particle",   "particleid", "id",         "pedid",
-                         "pedestrianid", "personid",   "agentid",    "objectid",   "cellid"};
-/// x, y and z of one kind: TrackMate has POSITION_X, Imaris Position X, crowd:it posX, ilastik Object_Center_0.
-constexpr std::array<std::array<std::string_view, 3>, 9> families{
-    {{"x", "y", "z"},
-     {"positionx", "positiony", "positionz"},
-     {"posx", "posy", "posz"},
-     {"xpos", "ypos", "zpos"},
-     {"xcoord", "ycoord", "zcoord"},
-     {"centroidx", "centroidy", "centroidz"},
-     {"centerx", "centery", "centerz"},
-     {"locationcenterx", "locationcentery", "locationcenterz"},
-     {"objectcenter0", "objectcenter1", "objectcenter2"}}};
-
 constexpr const char* how_to_say = ", or names given by --columns";
 
-/// A name as in the lists above.
+/// A name as in the lists of table_names.h.
 std::string plain_name(std::string_view field) {
     const std::size_t unit = field.find_first_of("/[(");
     if (unit != std::string_view::npos && unit > 0) field = field.substr(0, unit);
@@ -68,7 +46,7 @@ class Search {
         const auto exact = only(name, [&](std::size_t i) { return equals_lower(header_[i], name); });
         return exact ? exact : only(name, [&](std::size_t i) { return plain_[i] == name; });
     }
-    std::optional<std::size_t> known(const Name_list& names) {
+    std::optional<std::size_t> known(std::span<const std::string_view> names) {
         for (const std::string_view name : names)
             if (const auto at = known(name)) return at;
         return std::nullopt;
@@ -109,6 +87,18 @@ class Search {
     Table_columns& found_;
     std::vector<std::string> plain_;
 };
+
+/// The column of frames in a table of points: one of this name, or where there are ids, so that this is a motion, one
+/// of any name for frames.
+std::optional<std::size_t> frame_of_points(std::span<const std::string_view> header, const Column_choice& choice,
+                                           Search& search) {
+    const auto frame = search.known("frame");
+    if (frame || !choice[x_column].empty()) return frame;
+    Table_columns ignored;  // two columns of a name are no fault, and none of these
+    Search motion(header, ignored);
+    const auto at = motion.known(id_names) ? motion.known(frame_names) : std::nullopt;
+    return ignored.complete() ? at : std::nullopt;
+}
 
 void require_needed(Table_columns& found, Search& search, bool motion) {
     for (const Table_column column : {frame_column, id_column, x_column, y_column}) {
@@ -157,9 +147,9 @@ Table_columns find_columns(std::span<const std::string_view> header, const Colum
     for (std::size_t k = 0; k < choice.size(); ++k)
         if (!choice[k].empty() && (motion || k != id_column)) search.chosen(static_cast<Table_column>(k), choice[k]);
     if (choice[frame_column].empty())
-        found.at[frame_column] = motion ? search.known(frame_names) : search.known("frame");
+        found.at[frame_column] = motion ? search.known(frame_names) : frame_of_points(header, choice, search);
     if (motion && choice[id_column].empty()) found.at[id_column] = search.known(id_names);
-    for (const auto& family : families) {
+    for (const auto& family : coordinate_names) {
         if (!choice[x_column].empty() || (found.at[x_column] && found.at[y_column])) break;
         const auto x = search.known(family[0]), y = search.known(family[1]);
         if (found.at[x_column] && !(x && y)) continue;

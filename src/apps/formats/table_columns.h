@@ -37,7 +37,7 @@ struct Table_columns {
 /// Finds columns by their names: those of the choice, the others by names that programs give them, in either case, with
 /// blanks, underscores and a unit (x/m, `X [px]`, `y (mm)`) left out. Of several, one that numbers tracks is the id
 /// before one called id, one that numbers frames is the frame before a time. If the choice has an x, y and z are taken
-/// from the choice only. A table of points needs x and y, and has a frame only where a column has this name.
+/// from the choice only. A table of points needs x and y; its frame is called so, or is beside an id.
 [[nodiscard]] Table_columns find_columns(std::span<const std::string_view> header, const Column_choice& choice,
                                          bool motion);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/csv_fields.h>
+#include <apps/formats/printable.h>
 #include <apps/formats/table_header.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +16,22 @@ using Fields = std::vector<std::string_view>;
 
 /// Lines of text before a header, and lines of names below it. Without an end, text is no table.
 constexpr std::uint64_t most_before = 1000, most_below = 3;
+
+/// A text without the marks of a comment that it begins with: # or, where no numbers alone follow, so that it is no
+/// row, % (MATLAB), * (Viswalk) or //.
+std::string_view without_comment_mark(std::string_view text) {
+    const std::size_t end = std::min(text.find_first_not_of("#%*/"), text.size());
+    if (end == 0 || text == "/" || (text[0] == '/' && text[1] != '/')) return text;
+    const std::string_view words = csv_trimmed(text.substr(end));
+    if (text[0] == '#') return words;
+    Fields fields;
+    double unused = 0;
+    const bool is_text = !split_csv(words, csv_separator(words), fields) ||
+                         std::any_of(fields.begin(), fields.end(), [&](std::string_view field) {
+                             return parse_double(field, unused) == Number_kind::not_a_number;
+                         });
+    return is_text ? words : text;
+}
 
 /// A line that may be the header.
 struct Candidate {
@@ -30,7 +48,7 @@ Taken_columns taken_of(const Table_columns& columns, const Fields& names, bool m
         const auto at = columns.at[k];
         if (at)
             taken.emplace_back(table_column_names[k],
-                               column_words(*at, *at < names.size() ? std::string(names[*at]) : ""));
+                               column_words(*at, *at < names.size() ? printable(names[*at]) : ""));
     }
     return taken;
 }
@@ -59,8 +77,10 @@ class Header_search {
         Table_header result;
         while (next_csv_line(reader_)) {
             const std::string_view text = csv_trimmed(reader_.line());
-            if (text[0] == '#' && !(text_ && is_row(reader_.line()))) {
-                take_comment(text);
+            const std::string_view words = without_comment_mark(text);
+            const std::optional<Candidate>& header = text_ || text[0] == '#' ? text_ : comment_;
+            if (words.size() < text.size() && !(header && is_row(reader_.line(), *header))) {
+                take_comment(text, words);
             } else if (!take_text(reader_.line(), result)) {
                 result.has_row = true;
                 break;
@@ -77,8 +97,7 @@ class Header_search {
         return result;
     }
 
-    void take_comment(std::string_view text) {
-        const std::string_view words = csv_trimmed(text.substr(1));
+    void take_comment(std::string_view text, std::string_view words) {
         const char separator = csv_separator(words);
         last_comment_ = shown(text);
         if (!split_csv(words, separator, fields_) || !is_csv_header(fields_)) return;
@@ -89,13 +108,14 @@ class Header_search {
         comment_ = std::move(found);
     }
 
-    [[nodiscard]] bool has_all_fields() const {
-        const std::size_t all = text_->columns.all;
+    [[nodiscard]] bool has_all_fields(const Candidate& header) const {
+        const std::size_t all = header.columns.all;
         return fields_.size() == all || (fields_.size() == all + 1 && fields_.back().empty());
     }
-    /// Whether a line below the header that begins with # is a row.
-    [[nodiscard]] bool is_row(std::string_view line) {
-        return split_csv(line, row_separator(line, *text_), fields_) && has_all_fields() && !is_csv_header(fields_);
+    /// Whether a line below the header that begins like a comment is a row.
+    [[nodiscard]] bool is_row(std::string_view line, const Candidate& header) {
+        return split_csv(line, row_separator(line, header), fields_) && has_all_fields(header) &&
+               !is_csv_header(fields_);
     }
 
     /// False at the first row.
@@ -105,7 +125,7 @@ class Header_search {
             reader_.fail("a quoted field does not end", "its end in the same line");
         if (!is_csv_header(fields_)) return false;
         if (text_) {
-            if (!has_all_fields() || result.continued == most_below) return false;
+            if (!has_all_fields(*text_) || result.continued == most_below) return false;
             if (result.continued++ == 0) result.continued_at = reader_.number();
             return true;
         }

@@ -22,11 +22,12 @@ struct Table_header {
     std::uint64_t continued_at = 0;  ///< the first of these
 };
 
-/// Reads up to the first row. Lines before it are comments, which begin with #, and text; the header is the first line
-/// of text that names all columns needed, else the last such comment, as NumPy and PeTrack write it. Up to three lines
-/// below a header that have as many fields, none of them a number, are parts of it (units, names for people). The
-/// separator of the rows may be another than that of the header; a comment whose words are separated by blanks is a
-/// header only where rows are separated by blanks or tabs and have as many fields.
+/// Reads up to the first row. Lines before it are comments, which begin with #, or with %, * or // where these are not
+/// followed by numbers alone, and text; the header is the first line of text that names all columns needed, else the
+/// last such comment, as NumPy and PeTrack write it. Up to three lines below a header that have as many fields, none of
+/// them a number, are parts of it (units, names for people). The separator of the rows may be another than that of the
+/// header; a comment whose words are separated by blanks is a header only where rows are separated by blanks or tabs
+/// and have as many fields.
 ///
 /// Without a header the columns are those that the choice numbers; in a table of points they are x, y and perhaps z.
 /// Every other table is refused.

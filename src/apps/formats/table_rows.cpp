@@ -64,6 +64,8 @@ bool Table_rows::next() {
     } else if (!next_line()) {
         return false;
     }
+    while (motion_ && is_blank())
+        if (!next_line()) return false;
     const std::size_t all = header_.columns.all;
     if (fields_.size() == all) return true;
     const std::string fault = "has " + counted(fields_.size(), "column");
@@ -72,6 +74,10 @@ bool Table_rows::next() {
         if (!next_csv_line(reader_)) return false;
     reader_.fail_at(line, fault,
                     std::to_string(all) + (header_.named ? " as in the header" : " as in the lines above"));
+}
+
+bool Table_rows::is_blank() const {
+    return std::all_of(fields_.begin(), fields_.end(), [](std::string_view field) { return field.empty(); });
 }
 
 double Table_rows::number(std::string_view text, std::string_view what) {
@@ -86,6 +92,9 @@ double Table_rows::number(std::string_view text, std::string_view what) {
     if (!comma) return reader_.real(text, what);
     text_ = text;
     std::replace(text_.begin(), text_.end(), ',', '.');
+    double unused = 0;
+    if (parse_double(text_, unused) == Number_kind::not_a_number)
+        reader_.fail(std::string(what) + " is not a number: " + shown(text), "a number");
     return reader_.real(text_, what);
 }
 

@@ -29,7 +29,8 @@ struct Frame_value {
 
 /// The rows of a table after its header, one after the other. Fields are numbers with a decimal point, or where no
 /// comma separates them a decimal comma, the same throughout. After the first row, lines that begin with # are rows,
-/// but for those at the end of the table that have another number of fields: comments.
+/// but for those at the end of the table that have another number of fields: comments. Rows of a motion whose fields
+/// are all empty, as spreadsheets write them, are blank lines.
 class Table_rows {
   public:
     /// The reader must outlive it. `motion`: rows have a frame and an id, and a row without coordinates is allowed.
@@ -49,6 +50,8 @@ class Table_rows {
     [[nodiscard]] bool has_integer_id() const;
     /// The number of the id. Fails for a word unless ids are words.
     [[nodiscard]] std::uint64_t id(Point_ids& ids);
+    /// Whether a number so far had a decimal comma.
+    [[nodiscard]] bool has_decimal_comma() const noexcept { return point_ == ','; }
     /// Whether the row of a motion has no coordinates at all: the point is absent from the frame.
     [[nodiscard]] bool is_absent() const;
     /// z is 0 where there is no such column.
@@ -56,6 +59,7 @@ class Table_rows {
 
   private:
     bool next_line();
+    [[nodiscard]] bool is_blank() const;
     double number(std::string_view text, std::string_view what);
 
     Line_reader& reader_;
