@@ -85,7 +85,7 @@ TEST_CASE("what other programs write is read") {
 }
 
 TEST_CASE("every fault of a tetrahedral mesh has its line") {
-    refuse("MeshVersionFormatted 2\nDimension 2\nVertices\n0\n", 4, "of the plane");
+    refuse("MeshVersionFormatted 2\nDimension 2\nVertices\n0\n", 4, "is a 2D mesh");
     refuse("MeshVersionFormatted 2\nDimension 3\n", 2, "has no points");
     refuse(head + "4\n" + four, 8, "has no tetrahedra");
     refuse(head + "4\n" + four + "Triangles\n1\n1 2 3 0\n", 11, "has no tetrahedra");
