@@ -33,7 +33,7 @@ Proof.
   - apply evaluates_all; [exact level_accepted|]. intros i Q. cbn [placed fold_left]. rewrite third_mesh. now apply (numbered_outside high with_fifth).
   - exact (accepted_glued high level level_accepted).
   - exact (numbered_lists high level level_accepted).
-  - intro v. cbn [afterwards]. rewrite with_fifth_keeps. split; [|tauto]. intro I. split; [now left|]. intros ->. now apply (fourth_comes 4).
+  - intro v. cbn [afterwards]. rewrite with_fifth_keeps. split; [|tauto]. intro I. split; [now left|]. intros ->. now apply (fourth_inserted 4).
   - now left.
 Qed.
 
