@@ -15,6 +15,7 @@ program simulation_loop
     character(200) :: why
     integer :: step, stat
 
+    call random_init(repeatable=.true., image_distinct=.false.)
     call random_number(x)
     call mesh%create(x)
     do step = 1, steps

@@ -92,7 +92,7 @@ def analyze(source: typing.Any, what: str | Iterable[str] = ("volumes", "neighbo
     -----
     Units are those of the source: angstroms with ASE and, whatever the file has, MDAnalysis.
 
-    Without a box one `MovingDelaunay` follows all frames; in a box each frame is built anew (`PeriodicDelaunay`).
+    Without a box one `MovingDelaunay` follows all frames; in a box each frame is rebuilt (`PeriodicDelaunay`).
     ``volumes`` cost what `voronoi_volumes` does, and the others about two microseconds per point in 2D and ten in 3D,
     for all of them. A frame of n points keeps 8 n bytes for ``volumes``, 4 n for ``neighbors``, and about 120 n in 2D
     and 340 n in 3D for ``pairs``.

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import typing
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,7 +22,7 @@ from ._voronoi import clip_of
 def what_of(what: object) -> tuple[str, ...]:
     """The names of quantities, each once, in the order of `QUANTITIES`."""
     names = (what,) if isinstance(what, str) else what
-    if not isinstance(names, (tuple, list, set, frozenset)):
+    if not isinstance(names, Iterable) or isinstance(names, (bytes, dict)):
         raise TypeError(f"what must be names of quantities, not {_arguments.described(what)}")
     chosen = {_arguments.choice("what", name, QUANTITIES) for name in names}
     if not chosen:
@@ -73,10 +74,12 @@ class FrameAnalyzer:
             if self._clip is not None:
                 raise Error("clip is for open boundaries, and there is a periodic box", "usage")
             if "moves" in self.what:
-                raise NotAvailableError("'moves' is not available with a periodic box yet: each frame is built anew")
+                raise NotAvailableError("'moves' is not available with a periodic box yet: each frame is rebuilt")
+        n, d = snapshot.points.shape
+        if self._clip is not None:
+            clip_of(self._clip, d)
         if self._dt is None:
             return
-        n, d = snapshot.points.shape
         if d != self._dt.ndim:
             raise Error(f"points have {d} coordinates, those of the frame before {self._dt.ndim}", "wrong_size")
         if "events" in self.what and n != self._dt.npoints:
@@ -105,7 +108,7 @@ class FrameAnalyzer:
             parts = _core.voronoi(self._dt._mesh, *clip_of(self._clip, self._dt.ndim))
             (i, j), distance, area = parts["pairs"].T, parts["distances"], parts["areas"]
             shift = np.zeros((len(i), self._dt.ndim), dtype=np.int32)
-            keep = ~parts["exactly_empty"] & ((area > self._min_area) | (self._min_area == 0))
+            keep = ~parts["exactly_empty"] & ((area > self._min_area) | (self._min_area == 0 and self._clip is None))
         pairs = np.empty(np.count_nonzero(keep), dtype=pair_type(self._dt.ndim))
         pairs["frame"] = frame
         for name, column in (("i", i), ("j", j), ("distance", distance), ("area", area), ("shift", shift)):

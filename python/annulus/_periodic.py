@@ -85,7 +85,7 @@ class PeriodicDelaunay:
         self._threads = threads
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
-        """Moves all points, and gives the box another shape. Builds anew.
+        """Moves all points, and gives the box another shape. Rebuilds.
 
         Parameters
         ----------

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import contextlib
-import itertools
 import os
+import sys
 import typing
 from collections.abc import Iterator
 
@@ -18,7 +18,7 @@ from ._periodic import NotAvailableError
 from ._trajectory_files import opened
 
 _EXPECTED = ("an array of shape (frames, n, d) or (n, d), the name of a file, a Universe or AtomGroup of MDAnalysis, "
-             "Atoms of ASE, or an iterable of such Atoms, of arrays (n, d) or of pairs (box, points)")
+             "Atoms of ASE, a pair (box, points), or an iterable of such Atoms, of arrays (n, d) or of such pairs")
 
 
 class Snapshot(typing.NamedTuple):
@@ -125,10 +125,16 @@ def _items_of(source: typing.Any) -> typing.Any:
 
 
 def _is_snapshot(source: typing.Any) -> bool:
-    """Whether it is one frame: Atoms, a Timestep, a pair of lengths of a box, or None, and points."""
+    """Whether it is one frame: Atoms, a Timestep, or a pair of a box, or None, and points.
+
+    Of two arrays (d, d), which might be two frames, the first is not taken for a box."""
     if hasattr(source, "positions"):
         return True
-    return _is_pair(source) and (source[0] is None or _ndim(source[0]) == 1)
+    if not _is_pair(source):
+        return False
+    box, points = source[0], getattr(source[1], "positions", source[1])
+    d = np.shape(points)[-1]
+    return box is None or _ndim(box) == 1 or np.shape(box) == (d, d) != np.shape(points)
 
 
 _END = object()
@@ -144,7 +150,7 @@ def _numbered(items: typing.Any, selection: Selection) -> Iterator[tuple[int, ty
         return
     if (start or 0) < 0 or (stop or 0) < 0:
         raise Error("start and stop must be 0 or more, since this source does not say how many frames it has", "usage")
-    numbers = itertools.islice(itertools.count(), start, stop, step)
+    numbers = range(start or 0, sys.maxsize if stop is None else stop, step or 1)
     rest, past = iter(items), 0
     for frame in numbers:
         for before in range(past, frame + 1):

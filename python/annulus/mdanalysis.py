@@ -66,6 +66,8 @@ class Voronoi(_base.AnalysisBase):  # type: ignore[misc]
 
     def _prepare(self) -> None:
         self._analyzer = FrameAnalyzer(*self._arguments)
+        for name in ("analysis", "boxes", *self._analyzer.what):  # of an earlier run
+            self.results.pop(name, None)
         self._frames: list[FrameResult] = []
 
     def _single_frame(self) -> None:

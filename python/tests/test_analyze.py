@@ -98,6 +98,12 @@ def test_clip():
     x = np.clip(walk(2), 0.01, 0.99) + 1e-4 * walk(2, reach=0)
     a = annulus.analyze(x, WHAT, clip=[[0, 0], [1, 1]])
     assert np.allclose(a.volumes.sum(axis=1), 1) and np.isfinite(a.pairs["area"]).all()
+    part = annulus.analyze(x[0], ("pairs", "neighbors"), clip=[[0.3, 0.3], [0.6, 0.6]])
+    assert 0 < len(part.pairs) < len(a.pairs[a.pairs["frame"] == 0]) and (part.pairs["area"] > 0).all()
+    assert part.neighbors.sum() == 2 * len(part.pairs)
+    for what in WHAT:  # refused also where it is not used
+        with pytest.raises(TypeError, match="frame 0: clip must be an array"):
+            annulus.analyze(x, what, clip=3)
     with pytest.raises(annulus.Error, match="frame 0: clip is for open boundaries"):
         annulus.analyze(x, clip=[[0, 0], [1, 1]], box=[1, 1])
 

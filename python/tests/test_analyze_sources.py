@@ -48,6 +48,9 @@ def test_pairs():
     assert same(annulus.analyze(((EDGES, y) for y in X)), BOXED)
     assert same(annulus.analyze([(None, y) for y in X]), OPEN)
     assert same(annulus.analyze((EDGES, X[0])), annulus.analyze(X[:1], box=EDGES))
+    one = annulus.analyze((skewed, X[0]), "volumes")
+    assert one.boxes.shape == (1, 3, 3) and np.allclose(one.volumes.sum(), 1430)
+    assert annulus.analyze((X[0][:3], X[1][:3]), "volumes").frames.tolist() == [0, 1], "two frames of three points"
     a = annulus.analyze([(EDGES, X[0]), (skewed, X[1]), (None, X[2])], "volumes")
     assert np.array_equal(a.boxes[1], skewed) and np.isnan(a.boxes[2]).all()
     assert np.allclose(a.volumes[:2].sum(axis=1), [1320, 1430]) and np.array_equal(a.volumes[2], OPEN.volumes[2])
@@ -64,6 +67,8 @@ def test_some_frames(make):
     if make() is X:
         assert annulus.analyze(make(), start=-2).frames.tolist() == [4, 5]
     else:
+        with pytest.raises(annulus.Error, match="no frame"):
+            annulus.analyze(make(), start=2**62)
         with pytest.raises(annulus.Error, match="does not say how many frames"):
             annulus.analyze(make(), start=-2)
 

@@ -68,6 +68,7 @@ def test_mdanalysis_stand_in(stand_in):
         assert run.results.analysis.frames.tolist() == [1, 3] and run.results.analysis.times.tolist() == [2, 6]
     assert "neighbors" not in run.results
     assert "volumes" not in stand_in.Voronoi(Group()).run(start=9).results
+    assert sorted(run.run(start=9).results) == ["analysis"], "nothing of an earlier run is left"
     opened = stand_in.Voronoi(Group(), "volumes", box="open").run()
     assert np.array_equal(opened.results.volumes, annulus.analyze(X).volumes)
     with pytest.raises(annulus.Error, match="frame 0: 'moves'"):

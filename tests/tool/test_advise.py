@@ -5,6 +5,7 @@
 import gzip
 import json
 import math
+import os
 import random
 import subprocess
 
@@ -83,6 +84,18 @@ class Advise(AdviseTest):
         found = self.advise("a.csv")
         self.assertEqual(found["duplicates"]["first"], [{"frame": 1, "id": "bob", "where_is": "ann"}])
         self.assertIn({"frame": 1, "id": "cid", "what": "disappears"}, found["ids"]["first"])
+        rows = b"0,ann,0,0\n0,b\x1b[31m\xb5,1,0\n0,cid,0,1\n1,ann,0,0\n1,b\x1b[31m\xb5,0,0\n1,cid,0,1\n"
+        (self.here / "b.csv").write_bytes(b"frame,id,x,y\n" + rows)
+        text = self.succeed("advise", "b.csv").stdout
+        self.assertIn("id b\ufffd[31m\ufffd is where id ann is", text)
+
+    def test_a_pipe_with_a_name_is_read_once(self):
+        text = self.motion("a.csv", self.drifting(20, 3, 0.01))
+        (self.here / text).rename(self.here / "b.csv")
+        os.mkfifo(self.here / "a.csv")
+        with subprocess.Popen(["cp", "b.csv", "a.csv"], cwd=self.here) as copying:
+            self.assertEqual(self.advise("a.csv")["frames"], 3)
+            self.assertEqual(copying.wait(tool.HANGING), 0)
 
     def test_wrapped(self):
         steady, wrapped = (self.drifting(300, 30, 0.05, box=box) for box in (None, True))

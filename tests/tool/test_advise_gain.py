@@ -112,6 +112,14 @@ class Gain(AdviseTest):
         self.assertEqual((found["advice"]["strategy"], found["advice"]["reason"]), ("rebuild", "traffic"))
         self.assertEqual(self.advise("a.csv", "--steps", 0, warning=warning)["advice"]["reason"], "traffic")
 
+    def test_one_step(self):
+        """auto rebuilds it, whatever it is, so that its cost says nothing."""
+        for d in (2, 3):
+            self.succeed("generate", "walk", "--points", 2000, "--dim", d, "--steps", 1, "--pace", 1e-4, "--output",
+                         f"w{d}.xyz")
+            found = self.advise(f"w{d}.xyz")
+            self.assertEqual((found["measured"]["steps"], found["advice"]["reason"]), (1, "gain"))
+
     def test_steps_bound_what_is_followed(self):
         self.succeed("generate", "walk", "--points", 50, "--steps", 120, "--output", "w.xyz")
         self.assertEqual(self.advise("w.xyz")["measured"]["steps"], 100)

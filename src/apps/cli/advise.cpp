@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -48,7 +49,7 @@ Any_points open_points(const Replay_arguments& a) {
 std::variant<Opened_motion, Any_points> open(const Replay_arguments& a) {
     const Format format = format_of(a.file, point_formats, a.format);
     if (std::find(frame_formats.begin(), frame_formats.end(), format) == frame_formats.end()) return open_points(a);
-    if (is_standard_input(a.file)) return open_motion(a);
+    if (is_standard_input(a.file) || !std::filesystem::is_regular_file(a.file)) return open_motion(a);  // read once
     try {
         return open_motion(a);
     } catch (const Input_error& as_motion) {
@@ -188,8 +189,8 @@ Run add_advise_command(CLI::App& app, const Invocation& invocation) {
     a->file.open = true;
     sub->add_option(
            "FILE", a->file.file,
-           "A motion, as replay reads it, or points, as degeneracy reads them; - is standard input, a motion.\n"
-           "A periodic box is ignored")
+           "A motion, as replay reads it, or points, as degeneracy reads them; a pipe, such as - for standard\n"
+           "input, is taken for a motion. A periodic box is ignored")
         ->required();
     add_format(*sub, a->file.format, point_formats);
     add_columns(*sub, a->file.columns);

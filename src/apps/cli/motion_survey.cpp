@@ -54,7 +54,8 @@ Displacement_record Length_counts::record() const {
             seen += histogram_.counts()[bin] + (counts_.empty() ? 0 : counts_[bin]);
             ++bin;
         }
-        r.quantiles[k] = bin == 0 ? 0.0 : std::min(std::sqrt(edges[bin - 1] * edges[bin]), max_);
+        if (bin == histogram_.counts().size()) r.quantiles[k] = max_;  // that and above
+        else r.quantiles[k] = bin == 0 ? 0.0 : std::min(std::sqrt(edges[bin - 1] * edges[bin]), max_);
     }
     r.quantiles.back() = max_;
     return r;

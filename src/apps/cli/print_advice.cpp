@@ -2,6 +2,7 @@
 #include <apps/cli/counted_vertices.h>
 #include <apps/cli/input.h>
 #include <apps/cli/print_advice.h>
+#include <apps/formats/printable.h>
 #include <apps/report/advice.h>
 #include <apps/report/walk_ratios.h>
 
@@ -51,19 +52,19 @@ void print_events(const Motion_record& m) {
     else
         std::printf("duplicates     %s in %s, the first: id %s is where id %s is in frame %llu\n",
                     counted(twice.count, "point").c_str(), counted(twice.frames, "frame").c_str(),
-                    twice.first.front().id.c_str(), twice.first.front().what.c_str(), count(twice.first.front().frame));
+                    printable(twice.first.front().id).c_str(), printable(twice.first.front().what).c_str(), count(twice.first.front().frame));
     if (m.frames < 2) return;
     if (m.traffic.count == 0) std::printf("ids            the same in all frames\n");
     else
         std::printf("ids            %llu appear, %llu disappear, in %s, the first: id %s %s in frame %llu\n",
                     count(m.appeared), count(m.disappeared), counted(m.traffic.frames, "frame").c_str(),
-                    m.traffic.first.front().id.c_str(), m.traffic.first.front().what.c_str(),
+                    printable(m.traffic.first.front().id).c_str(), m.traffic.first.front().what.c_str(),
                     count(m.traffic.first.front().frame));
     if (m.wrapped)
         std::printf(
             "wrapped        it seems so: %s by about the length of the box, left out above, the first: id %s "
             "along %s in frame %llu\n",
-            counted(m.jumps.count, "jump").c_str(), m.jumps.first.front().id.c_str(),
+            counted(m.jumps.count, "jump").c_str(), printable(m.jumps.first.front().id).c_str(),
             m.jumps.first.front().what.c_str(), count(m.jumps.first.front().frame));
     else std::printf("wrapped        no\n");
 }

@@ -53,14 +53,14 @@ Advice advice_of(const Advice_record& r) {
     if (m.frames < 2)
         return {"rebuild", "one frame", 1, "Build the triangulation once: the file has one frame, and nothing moves."};
     const double s = walk_pace(r.dimension, m.displacement.mean);
-    const bool measured = r.prefix.steps > 0;
+    const bool measured = r.prefix.steps > 0 && m.frames > 2;  // auto rebuilds the first step whatever it is
     const double expected = m.displacement.total > 0 ? walk_gain(r.dimension, s) : 1;
     const double cost = measured ? r.prefix.automatic : 1 / expected;
     const bool gains = cost * worthwhile <= 1;
     if (m.wrapped)
         return {
             gains ? "auto" : "rebuild", "wrapped", 1,
-            text("Unwrap the trajectory, or use a periodic triangulation, which is built anew at every move: points "
+            text("Unwrap the trajectory, or use a periodic triangulation, which is rebuilt at every move: points "
                  "jump across the box, which open boundaries take for moves; as it stands, use %s.",
                  gains ? "auto" : "rebuild")};
     if (gains) {
