@@ -71,6 +71,14 @@ class MovingDelaunay(VoronoiQueries):
     `vertex_neighbor_vertices` are read-only snapshots: they do not change when vertices move, and remain valid
     when the triangulation is deleted. The first access after a change copies them; further accesses cost nothing.
 
+    **Outputs.** Methods that return one array of float64 by point or position, `voronoi_volumes`, `voronoi_vjp` and
+    `interpolate`, take two more arguments. ``dtype`` may be float64 or float32: everything is computed in float64, and
+    each number is then rounded to float32, the nearest and the even one of two, infinite if it is too large. ``out`` is
+    an array of either dtype that they fill and return. It must have the shape of the result, be in C order and
+    writable, and not overlap an argument; otherwise a `TypeError` or an `Error` with the code ``wrong_size`` or
+    ``usage`` is raised. After an exception it is as it was. Attributes are snapshots, and have no arguments:
+    ``numpy.copyto(x, dt.points, "same_kind")`` rounds in the same way.
+
     **Threads.** The GIL is released during computations. Calls on one object from several threads are
     serialised, and the result of each is that of one moment. float64 arrays in C order are read in place if NumPy
     has allocated them and Python has one thread; all others are copied first, so that no other thread of Python

@@ -6,9 +6,9 @@ from __future__ import annotations
 import typing
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import _arguments, _core
+from . import _arguments, _core, _outputs
 from ._error import Error
 from ._queries import Floats, Indices, Queries
 from ._voronoi import Voronoi, clip_of
@@ -49,13 +49,16 @@ class VoronoiQueries(Queries):
         box, half_spaces = clip_of(clip, self.ndim)
         return Voronoi(_core.voronoi(self._mesh, box, half_spaces))
 
-    def voronoi_volumes(self, clip: ArrayLike | None = None) -> Floats:
+    def voronoi_volumes(self, clip: ArrayLike | None = None, *, out: NDArray[typing.Any] | None = None,
+                        dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
         """The areas (2D) or volumes (3D) of the Voronoi cells, in the unit of the points to the power of d.
 
         Parameters
         ----------
         clip : array_like, optional
             What cells are intersected with, as for `voronoi`.
+        out, dtype : optional
+            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
 
         Returns
         -------
@@ -71,18 +74,23 @@ class VoronoiQueries(Queries):
         Without a clip, volumes are kept from the first call on: later calls compute only those that are affected by
         moves and changes of simplices since then, with the same result to the last bit.
         """
-        if clip is None:
-            return self._mesh.voronoi_volumes()
-        box, half_spaces = clip_of(clip, self.ndim)
-        return _core.clipped_volumes(self._mesh, box, half_spaces)
+        def compute() -> Floats:
+            if clip is None:
+                return self._mesh.voronoi_volumes()
+            return _core.clipped_volumes(self._mesh, *clip_of(clip, self.ndim))
 
-    def voronoi_vjp(self, g: ArrayLike) -> Floats:
+        return _outputs.returned(compute, (self.npoints,), out, dtype, clip)
+
+    def voronoi_vjp(self, g: ArrayLike, *, out: NDArray[typing.Any] | None = None,
+                    dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
         """The gradient of ``sum(g * volumes)`` with respect to the points: what reverse-mode differentiation needs.
 
         Parameters
         ----------
         g : array_like, shape (npoints,)
             Entries at unbounded cells and free indices count as 0.
+        out, dtype : optional
+            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
 
         Returns
         -------
@@ -96,7 +104,8 @@ class VoronoiQueries(Queries):
         gradient does not depend on how cocircular or cospherical points are triangulated. Second derivatives jump
         there. Infinite volumes have no derivative.
         """
-        return _core.voronoi_gradient(self._mesh, g)
+        return _outputs.returned(lambda: _core.voronoi_gradient(self._mesh, g), (self.npoints, self.ndim), out, dtype,
+                                 g)
 
     def voronoi_jacobian(self) -> tuple[Indices, Indices, Floats]:
         """The derivatives of all volumes as a sparse matrix, in compressed rows.
@@ -230,7 +239,8 @@ class VoronoiQueries(Queries):
         """
         return _core.nearest_vertex(self._mesh, xi)
 
-    def interpolate(self, values: ArrayLike, xi: ArrayLike) -> Floats:
+    def interpolate(self, values: ArrayLike, xi: ArrayLike, *, out: NDArray[typing.Any] | None = None,
+                    dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
         """Natural-neighbour interpolation of values at the points, by Laplace's weights.
 
         Parameters
@@ -239,6 +249,8 @@ class VoronoiQueries(Queries):
             Numbers, or arrays of numbers, at the points. Those at free indices are not used.
         xi : array_like, shape (..., d)
             Where to interpolate.
+        out, dtype : optional
+            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
 
         Returns
         -------
@@ -258,4 +270,8 @@ class VoronoiQueries(Queries):
         1997; "non-Sibsonian"). Linear functions are reproduced, and at a point its own value. The interpolant is
         continuous in the interior of the hull. Some twenty microseconds for each position in 2D, a hundred in 3D.
         """
-        return _core.interpolate(self._mesh, values, xi)
+        if out is None and dtype is None:
+            return _core.interpolate(self._mesh, values, xi)
+        values, xi = _arguments.array_of(values, "values"), _arguments.array_of(xi, "xi")
+        return _outputs.returned(lambda: _core.interpolate(self._mesh, values, xi), xi.shape[:-1] + values.shape[1:],
+                                 out, dtype, values, xi)

@@ -7,9 +7,9 @@ import typing
 import warnings
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import _arguments, _core
+from . import _arguments, _core, _outputs
 from ._error import Error, OpenBoundariesWarning
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
@@ -185,15 +185,21 @@ class PeriodicDelaunay:
         return self._mesh.neighbour_counts(_arguments.number("min_area", min_area),
                                            _arguments.truth("strict", strict))
 
-    def voronoi_volumes(self) -> Floats:
+    def voronoi_volumes(self, *, out: NDArray[typing.Any] | None = None,
+                        dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
         """The areas (2D) or volumes (3D) of the Voronoi cells, which add up to that of the box.
+
+        Parameters
+        ----------
+        out, dtype : optional
+            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
 
         Returns
         -------
         ndarray of float64, shape (npoints,)
             Each with a relative error of at most 2**-33, 1.2e-10.
         """
-        return self._mesh.voronoi_volumes()
+        return _outputs.returned(self._mesh.voronoi_volumes, (self.npoints,), out, dtype)
 
     def audit(self) -> AuditResult:
         """Checks the whole triangulation in integer arithmetic, with code that it does not share with what it checks.

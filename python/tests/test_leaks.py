@@ -50,12 +50,20 @@ def everything(dt, x, rng):
     box = [x.min(axis=0), x.max(axis=0) + 1]
     _ = dt.voronoi(clip=box).regions, dt.voronoi_vjp(x[:, 0]), dt.voronoi_jacobian(), dt.voronoi_volumes(clip=box)
     _ = dt.interpolate(x, x[:5] + 1e-3)
+    out = np.empty_like(x, np.float32)
+    _ = dt.voronoi_volumes(out=out[:, 0].copy()), dt.voronoi_vjp(x[:, 0], out=out), dt.voronoi_vjp(x[:, 0], dtype=float)
+    _ = dt.interpolate(x, x[:5] + 1e-3, dtype=np.float32)
     rows = x[:(d := x.shape[1]) + 2]
     _ = (annulus.predicates.in_circle if d == 2 else annulus.predicates.in_sphere)(rows), annulus.audit(x, dt.simplices)
     _ = annulus.audit(x[:-1], dt.simplices[::-1]).faults
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])
     dt.remove([4])
     dt.insert(x[4:5])
+    for wrong in (x, out[1:], None, out[:, :1]):
+        try:
+            dt.voronoi_vjp(x[:, 0], out=wrong)
+        except (annulus.Error, TypeError):
+            pass
     for wrong in (x[:1], np.full_like(x, np.nan), x.astype(complex), None):
         try:
             dt.move(wrong)
