@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import typing
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterator
 
 from numpy.typing import ArrayLike
 
@@ -26,18 +26,18 @@ def _results(source: object, selection: Selection, analyzer: FrameAnalyzer) -> I
 
 
 @typing.overload
-def analyze(source: typing.Any, what: str | Iterable[str] = ..., *, start: int | None = ..., stop: int | None = ...,
+def analyze(source: typing.Any, what: str | Collection[str] = ..., *, start: int | None = ..., stop: int | None = ...,
             step: int | None = ..., box: ArrayLike | str | None = ..., clip: ArrayLike | None = ...,
             min_area: float = ..., threads: int = ..., stream: typing.Literal[False] = ...) -> Analysis: ...
 
 
 @typing.overload
-def analyze(source: typing.Any, what: str | Iterable[str] = ..., *, start: int | None = ..., stop: int | None = ...,
+def analyze(source: typing.Any, what: str | Collection[str] = ..., *, start: int | None = ..., stop: int | None = ...,
             step: int | None = ..., box: ArrayLike | str | None = ..., clip: ArrayLike | None = ...,
             min_area: float = ..., threads: int = ..., stream: typing.Literal[True]) -> AnalysisStream: ...
 
 
-def analyze(source: typing.Any, what: str | Iterable[str] = ("volumes", "neighbors", "events"), *,
+def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neighbors", "events"), *,
             start: int | None = None, stop: int | None = None, step: int | None = None,
             box: ArrayLike | str | None = None, clip: ArrayLike | None = None, min_area: float = 0.0,
             threads: int = 1, stream: bool = False) -> Analysis | AnalysisStream:
@@ -57,7 +57,7 @@ def analyze(source: typing.Any, what: str | Iterable[str] = ("volumes", "neighbo
 
         Row i has to be the same point in every frame. Frames may differ in the number of points, if not for
         ``events``.
-    what : str or iterable of str, optional
+    what : str, or tuple, list or set of str, optional
         ``volumes``, ``neighbors``, ``pairs``, ``events``, ``moves``: the attributes of that name of `FrameResult`.
     start, stop, step : int, optional
         The frames ``range(frames)[start:stop:step]``; `step` is 1 or more.

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import typing
-from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,7 +21,7 @@ from ._voronoi import clip_of
 def what_of(what: object) -> tuple[str, ...]:
     """The names of quantities, each once, in the order of `QUANTITIES`."""
     names = (what,) if isinstance(what, str) else what
-    if not isinstance(names, Iterable) or isinstance(names, (bytes, dict)):
+    if not isinstance(names, (tuple, list, set, frozenset)):
         raise TypeError(f"what must be names of quantities, not {_arguments.described(what)}")
     chosen = {_arguments.choice("what", name, QUANTITIES) for name in names}
     if not chosen:

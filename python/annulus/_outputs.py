@@ -21,7 +21,7 @@ def _kind_of(dtype: DTypeLike | None, out: object) -> np.dtype[typing.Any]:
         return np.dtype(out.dtype) if isinstance(out, np.ndarray) else _KINDS[0]
     try:
         kind = np.dtype(dtype)
-    except TypeError:
+    except (TypeError, ValueError):  # ValueError: text that is no UTF-8
         kind = np.dtype(np.void)
     if kind not in _KINDS:
         raise TypeError(f"dtype must be float64 or float32, not {_arguments.described(dtype)}")

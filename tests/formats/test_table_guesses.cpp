@@ -101,8 +101,11 @@ TEST_CASE("tables: times that differ by rounding are refused, and uneven ones ar
     refuse(table({"0", "1", "1.000005", "3", "4"}), 6, "1.000005 after 1, which differ");  // seen when the next comes
     CHECK(accept(table({"0", "1", "1.00002", "3"})).frames.size() == 4);
     // Pauses: what is close by is as far apart as what is before or after it.
-    for (const Words& pause : {Words{"0", "0.04", "5000", "5000.04", "5000.08"}, {"0", "0.04", "0.08", "5000"},
-                               {"0", "0.000001", "1.5"}, {"0", "5000", "5000.04"}, {"0", "9000", "9000.04", "9000.08"}})
+    for (const Words& pause : {Words{"0", "0.04", "5000", "5000.04", "5000.08"},
+                               {"0", "0.04", "0.08", "5000"},
+                               {"0", "0.000001", "1.5"},
+                               {"0", "5000", "5000.04"},
+                               {"0", "9000", "9000.04", "9000.08"}})
         CHECK(uneven(pause).size() == 1);
     with_pipe(table({"0.5", "0.6", "0.6000000000000001"}), [](const auto& pipe) {
         expect_fault(pipe, 6, "which differ by rounding", [](const auto& file) { (void)read(file); });

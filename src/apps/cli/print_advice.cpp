@@ -52,7 +52,8 @@ void print_events(const Motion_record& m) {
     else
         std::printf("duplicates     %s in %s, the first: id %s is where id %s is in frame %llu\n",
                     counted(twice.count, "point").c_str(), counted(twice.frames, "frame").c_str(),
-                    printable(twice.first.front().id).c_str(), printable(twice.first.front().what).c_str(), count(twice.first.front().frame));
+                    printable(twice.first.front().id).c_str(), printable(twice.first.front().what).c_str(),
+                    count(twice.first.front().frame));
     if (m.frames < 2) return;
     if (m.traffic.count == 0) std::printf("ids            the same in all frames\n");
     else

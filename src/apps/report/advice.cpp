@@ -58,11 +58,10 @@ Advice advice_of(const Advice_record& r) {
     const double cost = measured ? r.prefix.automatic : 1 / expected;
     const bool gains = cost * worthwhile <= 1;
     if (m.wrapped)
-        return {
-            gains ? "auto" : "rebuild", "wrapped", 1,
-            text("Unwrap the trajectory, or use a periodic triangulation, which is rebuilt at every move: points "
-                 "jump across the box, which open boundaries take for moves; as it stands, use %s.",
-                 gains ? "auto" : "rebuild")};
+        return {gains ? "auto" : "rebuild", "wrapped", 1,
+                text("Unwrap the trajectory, or use a periodic triangulation, which is rebuilt at every move: points "
+                     "jump across the box, which open boundaries take for moves; as it stands, use %s.",
+                     gains ? "auto" : "rebuild")};
     if (gains) {
         const bool tolerances = measured && r.prefix.tolerances < 0.9 * cost;
         const double least = tolerances ? r.prefix.tolerances : cost;
