@@ -3,6 +3,8 @@
 
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/engine/cost_model.h>
+#include <annulus/engine/periodic_repair.h>
 #include <annulus/kernel/periodic_builder.h>
 #include <annulus/measure/periodic_voronoi.h>
 #include <annulus/space/lattice.h>
@@ -102,23 +104,47 @@ Periodic_cells<d> listed(const Periodic_state<d>& state, bool of_given) {
 template <int d>
 struct Periodic_mesh<d>::Parts {
     Parts(std::span<const Point> points, const Box<d>& box, const Periodic_options& chosen)
-        : options(chosen), state(built(points.size(), points, box)) {}
+        : options(chosen), state(placed(points.size(), points, box)) {
+        build(state);
+    }
     Parts(const Saved_periodic_mesh<d>& saved, const Periodic_options& chosen)
-        : options(chosen), state(built(saved.places.size(), saved)) {}
+        : options(chosen), state(placed(saved.places.size(), saved)) {
+        build(state);
+    }
 
     template <class... Of>
-    Periodic_state<d> built(std::size_t points, const Of&... of) {
+    Periodic_state<d> placed(std::size_t points, const Of&... of) {
         require_sound_environment();
         if (options.threads < 1) throw Error(Error_code::usage, "threads must be 1 or more");
         if (points > Limits::vertices)
             throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " points");
-        Periodic_state<d> next(of...);
-        builder.build(next.lattice, next.place, options.threads, next.table);
-        return next;
+        return Periodic_state<d>(of...);
+    }
+    void build(Periodic_state<d>& at) { builder.build(at.lattice, at.place, options.threads, at.table); }
+
+    Move_result move(Periodic_state<d> next) {
+        // What a build costs, a copy of a point, in the unit of cost_model.h; and a little, for few points. Flips of
+        // cells with offsets take two to four times what that model says, so it is less than for builds without.
+        constexpr double copy = d == 2 ? 25 : 60, little = 8000;
+        const std::size_t n = next.place.size();
+        Budget budget{little + copy * static_cast<double>(builder.copies())};
+        const Periodic_repair_result repaired =
+            repair.repair(state.table, {state.lattice, state.place}, {next.lattice, next.place}, budget);
+        if (repaired.done) std::swap(next.table, state.table);
+        else build(next);
+        state = std::move(next);
+        Move_result result;
+        result.moves.asked = n;
+        result.moves.flipped = repaired.flipped;
+        (repaired.done ? result.moves.kept_in_place : result.moves.rebuilt) = n - repaired.flipped;
+        result.statistics.flips = repaired.flips;
+        result.statistics.cost = budget.spent;
+        return result;
     }
 
     Periodic_options options;
     Periodic_builder<d> builder;
+    Periodic_repair<d> repair;
     Periodic_state<d> state;
 };
 
@@ -140,10 +166,7 @@ Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<
     if (points.size() != number_of_vertices())
         throw Error(Error_code::wrong_size, std::to_string(points.size()) + " positions for " +
                                                 std::to_string(number_of_vertices()) + " vertices");
-    parts_->state = parts_->built(points.size(), points, box);
-    Move_result result;
-    result.moves.asked = result.moves.rebuilt = points.size();
-    return result;
+    return parts_->move(parts_->placed(points.size(), points, box));
 }
 
 template <int d>

@@ -34,9 +34,10 @@ struct Saved_periodic_mesh {
 /// Delaunay triangulation of points() and box(), which are the caller's, rounded once (docs/periodic.md says how). In
 /// cospherical cases it is the one of the perturbation that Moving_mesh uses, which is the same for every image.
 ///
-/// Every call that moves points rebuilds: it costs what constructing costs, O(n log n), and there are no tolerances,
-/// no insertion and no removal yet. A call that throws leaves the object as it was. Not thread-safe; const members may
-/// run concurrently.
+/// A move tests all signs and flips where one fails, O(n) and more for each flip; where flips are stuck or would cost
+/// more it rebuilds, O(n log n). The triangulation is the same, numbers of cells may differ. There are no
+/// tolerances, no insertion and no removal yet. A call that throws leaves the object as it was. Not thread-safe; const
+/// members may run concurrently.
 template <int d>
 class Periodic_mesh {
   public:
@@ -55,8 +56,9 @@ class Periodic_mesh {
     Periodic_mesh(Periodic_mesh&&) noexcept;
     Periodic_mesh& operator=(Periodic_mesh&&) noexcept;
 
-    /// Moves all points, in the order of their indices; any image of each. All are `rebuilt` in the result, which lists
-    /// no cells. Throws what the constructor throws, and wrong_size unless there are as many as before.
+    /// Moves all points, in the order of their indices; any image of each. In the result all are `rebuilt`, or those
+    /// are `flipped` that are in cells made by flips, and the others `kept_in_place`; it lists no cells. Throws what
+    /// the constructor throws, and wrong_size unless there are as many as before.
     Move_result move_all(std::span<const Point> points) { return move_all(points, box()); }
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);

@@ -4,6 +4,7 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/mesh/certificates.h>
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct Motion_path {
     std::span<const Coordinates<d>> source{};
     Index mover = none;  ///< the single vertex
     Coordinates<d> mover_source{};
+    /// What places between source and target are rounded to multiples of: in a periodic box its grid; 0 is no rounding.
+    Coordinates<d> grid{};
 
     [[nodiscard]] const Coordinates<d>& source_of(Index v) const {
         const auto i = static_cast<std::size_t>(v);
@@ -72,6 +75,15 @@ class Held_back {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+    /// The place that this vertex is tried at.
+    [[nodiscard]] Coordinates<d> on_the_way(const Held& held) const {
+        Coordinates<d> p = held.source;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            p[i] += held.fraction * (held.target[i] - held.source[i]);
+            if (path_.grid[i] != 0.0) p[i] = std::nearbyint(p[i] / path_.grid[i]) * path_.grid[i];
+        }
+        return p;
+    }
 
     Motion_path<d> path_;
     bool first_round_ = true;
@@ -114,8 +126,7 @@ Index Held_back<d>::hold_back(const Cell_sites<d>& cell) {
         x = held.source;
         return farthest;
     }
-    Coordinates<d> p = held.source;
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] += held.fraction * (held.target[i] - held.source[i]);
+    const Coordinates<d> p = on_the_way(held);
     x = p == x ? held.source : p;
     return farthest;
 }
@@ -141,11 +152,7 @@ bool Held_back<d>::advance(Moved moved) {
     }
     held_.resize(left);
     for (const Held& held : held_) {
-        Coordinates<d> p = held.target;
-        if (held.fraction < 1.0)
-            for (std::size_t i = 0; i < p.size(); ++i)
-                p[i] = held.source[i] + held.fraction * (held.target[i] - held.source[i]);
-        path_.x[at(held.vertex)] = p;
+        path_.x[at(held.vertex)] = held.fraction < 1.0 ? on_the_way(held) : held.target;
         moved(held.vertex);
     }
     return progress;

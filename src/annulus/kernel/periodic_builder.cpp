@@ -19,7 +19,6 @@ namespace {
 
 constexpr double first_collar[] = {0, 0, 3.0, 2.8};  // by dimension, in mean spacings
 constexpr double wider = 1.4;
-constexpr std::int32_t largest_offset = 5;  // a reach of 2.5, and places from -1/2 to 3/2
 
 /// The mean distance of neighbours, roughly. In a box that is thinner than that, points are spread over its other
 /// directions only.
@@ -48,23 +47,6 @@ Open_facet<d> open_facet(const Periodic_table<d>& table, std::size_t c, std::siz
     const Offset<d> first = h.images[0].label;
     for (Image<d>& s : h.images) s.label = s.label - first;
     return h;
-}
-
-/// Moves a cell so that the least of its offsets is 0 in each direction. False where another one is then so large that
-/// the places of a bi-cell need not be exact (Lattice): no edge is so long, so the cell is wrong.
-template <int d>
-bool normalise(std::array<Offset<d>, static_cast<std::size_t>(d + 1)>& offset) {
-    Shift<d> least = offset[0].unpacked();
-    for (const Offset<d> o : offset) {
-        const Shift<d> s = o.unpacked();
-        for (std::size_t i = 0; i < d; ++i) least[i] = std::min(least[i], s[i]);
-    }
-    bool small = true;
-    for (Offset<d>& o : offset) {
-        o = o - Offset<d>(least);
-        for (const std::int32_t s : o.unpacked()) small = small && s <= largest_offset;
-    }
-    return small;
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ class Periodic_proof {
     using Sphere = std::conditional_t<d == 2, Circumcircle_2, Circumsphere_3>;
 
     [[nodiscard]] Coordinates<d> at(Image<d> s) const {
-        return lattice_.place(place_[static_cast<std::size_t>(s.vertex)], s.label);
+        const Coordinates<d>& x = place_[static_cast<std::size_t>(s.vertex)];
+        return s.label.is_zero() ? x : lattice_.place(x, s.label);
     }
     [[nodiscard]] Places places(std::size_t c) const {
         Places x;

@@ -73,6 +73,24 @@ struct Periodic_table {
     }
 };
 
+/// Moves a cell so that the least of its offsets is 0 in each direction. False where another one is then so large that
+/// the places of a bi-cell need not be exact (Lattice): no edge is so long, so the cell is wrong.
+template <int d>
+[[nodiscard]] bool normalise(std::array<Offset<d>, static_cast<std::size_t>(d + 1)>& offset) {
+    constexpr std::int32_t largest = 5;  // a reach of 2.5, and places from -1/2 to 3/2
+    Shift<d> least = offset[0].unpacked();
+    for (const Offset<d> o : offset) {
+        const Shift<d> s = o.unpacked();
+        for (std::size_t i = 0; i < d; ++i) least[i] = std::min(least[i], s[i]);
+    }
+    bool small = true;
+    for (Offset<d>& o : offset) {
+        o = o - Offset<d>(least);
+        for (const std::int32_t s : o.unpacked()) small = small && s <= largest;
+    }
+    return small;
+}
+
 /// The images of the facet opposite to corner i of a cell, in ascending order.
 template <int d>
 [[nodiscard]] Facet_images<d> facet_images(const Cell_images<d>& cell, std::size_t i) {

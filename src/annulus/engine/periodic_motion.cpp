@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/periodic_motion.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+constexpr double most_basis_change = 8;  // a factor of an old basis vector in a new one
+
+template <int d>
+Offset<d> offset_of(const Coordinates<d>& whole) {
+    Shift<d> o;
+    for (std::size_t j = 0; j < d; ++j) o[j] = static_cast<std::int32_t>(whole[j]);
+    return Offset<d>(o);
+}
+
+/// The inverse of a matrix of determinant 1.
+Lattice<2>::Matrix inverse(const Lattice<2>::Matrix& m) { return {{{m[1][1], -m[0][1]}, {-m[1][0], m[0][0]}}}; }
+Lattice<3>::Matrix inverse(const Lattice<3>::Matrix& m) {
+    Lattice<3>::Matrix w;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            w[j][i] = m[(i + 1) % 3][(j + 1) % 3] * m[(i + 2) % 3][(j + 2) % 3] -
+                      m[(i + 1) % 3][(j + 2) % 3] * m[(i + 2) % 3][(j + 1) % 3];
+    return w;
+}
+
+/// Adds an offset to each corner, by its vertex, and restores the normal form.
+template <int d>
+bool relabel(Periodic_table<d>& table, const std::vector<Offset<d>>& more) {
+    bool small = true;
+    for (std::size_t c = 0; c < table.size(); ++c) {
+        bool same = true;
+        for (const Index v : table.vertex[c]) same = same && more[static_cast<std::size_t>(v)].is_zero();
+        if (same) continue;
+        for (std::size_t i = 0; i <= d; ++i)
+            table.offset[c][i] = table.offset[c][i] + more[static_cast<std::size_t>(table.vertex[c][i])];
+        small = normalise<d>(table.offset[c]) && small;
+    }
+    return small;
+}
+
+}  // namespace
+
+/// The new basis vectors in the old basis, to the nearest integers, and the inverse of this matrix.
+template <int d>
+bool Periodic_motion<d>::relate(const Lattice<d>& from, const Lattice<d>& to) {
+    typename Lattice<d>::Matrix old_in_new{};
+    other_basis_ = false;
+    for (std::size_t j = 0; j < d; ++j) {
+        const Coordinates<d> f = from.in_basis(to.basis()[j]);
+        for (std::size_t i = 0; i < d; ++i) {
+            const double k = std::nearbyint(f[i]);
+            if (!(std::fabs(k) <= most_basis_change)) return false;
+            old_in_new[j][i] = static_cast<std::int64_t>(k);
+            other_basis_ = other_basis_ || old_in_new[j][i] != (i == j ? 1 : 0);
+        }
+    }
+    if (determinant_of_rows(old_in_new) != 1) return false;
+    to_new_basis_ = inverse(old_in_new);
+    return true;
+}
+
+template <int d>
+bool Periodic_motion<d>::begin(const Periodic_points<d>& from, const Periodic_points<d>& to) {
+    if (!relate(from.lattice, to.lattice)) return false;
+    const bool same_lattice = from.lattice.basis() == to.lattice.basis();
+    const std::size_t n = from.place.size();
+    home_.resize(n);
+    goal_.resize(n);
+    to_home_.resize(n);
+    to_goal_.resize(n);
+    wraps_home_ = wraps_goal_ = false;
+    const auto& basis = to.lattice.basis();
+    const auto& grid = to.lattice.grid();
+    for (std::size_t v = 0; v < n; ++v) {
+        Coordinates<d>& home = home_[v];
+        if (same_lattice) home = from.place[v];
+        else {
+            const Coordinates<d> f = from.lattice.in_basis(from.place[v]);
+            Coordinates<d> g{}, out{};
+            for (std::size_t j = 0; j < d; ++j) {
+                for (std::size_t i = 0; i < d; ++i) g[j] += f[i] * static_cast<double>(to_new_basis_[i][j]);
+                if (g[j] < -0.5 || g[j] >= 1.5) out[j] = std::floor(g[j]);
+                g[j] -= out[j];
+            }
+            for (std::size_t i = 0; i < d; ++i) {
+                double x = 0;
+                for (std::size_t j = 0; j < d; ++j) x += g[j] * basis[j][i];
+                home[i] = std::nearbyint(x / grid[i]) * grid[i];
+            }
+            to_home_[v] = offset_of<d>(out);
+            wraps_home_ = wraps_home_ || !to_home_[v].is_zero();
+        }
+        Coordinates<d> way;
+        for (std::size_t i = 0; i < d; ++i) way[i] = home[i] - to.place[v][i];
+        way = to.lattice.in_basis(way);
+        for (double& c : way) c = std::nearbyint(c);
+        to_goal_[v] = offset_of<d>(way);
+        wraps_goal_ = wraps_goal_ || !to_goal_[v].is_zero();
+        goal_[v] = to.lattice.place(to.place[v], to_goal_[v]);
+    }
+    return true;
+}
+
+/// False where the result is too large to be one.
+template <int d>
+bool Periodic_motion<d>::transform(Offset<d>& o) const {
+    const Shift<d> old = o.unpacked();
+    Shift<d> s{};
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) s[j] += old[i] * static_cast<std::int32_t>(to_new_basis_[i][j]);
+    constexpr std::int32_t room = 16;  // for what is added by vertices
+    for (const std::int32_t c : s)
+        if (c <= room - Offset<d>::limit || c >= Offset<d>::limit - room) return false;
+    o = Offset<d>(s);
+    return true;
+}
+
+template <int d>
+bool Periodic_motion<d>::relabel_home(Periodic_table<d>& table) const {
+    if (!other_basis_) return !wraps_home_ || relabel(table, to_home_);
+    for (std::size_t c = 0; c < table.size(); ++c) {
+        for (std::size_t i = 0; i <= d; ++i) {
+            Offset<d>& o = table.offset[c][i];
+            if (!transform(o)) return false;
+            o = o + to_home_[static_cast<std::size_t>(table.vertex[c][i])];
+        }
+        if (!normalise<d>(table.offset[c])) return false;
+    }
+    return true;
+}
+
+template <int d>
+bool Periodic_motion<d>::relabel_goal(Periodic_table<d>& table) const {
+    return !wraps_goal_ || relabel(table, to_goal_);
+}
+
+template class Periodic_motion<2>;
+template class Periodic_motion<3>;
+
+}  // namespace annulus::inline v1

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/engine/budget.h>
+#include <annulus/engine/held_back.h>
+#include <annulus/engine/periodic_motion.h>
+#include <annulus/engine/periodic_signs.h>
+#include <annulus/mesh/replace_periodic_cells.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+/// What became of a table.
+struct Periodic_repair_result {
+    bool done = false;  ///< it is the triangulation of the new points; otherwise it is as it was
+    std::uint64_t flips = 0;
+    std::size_t flipped = 0;  ///< vertices of cells that flips made
+};
+
+/// Turns the periodic Delaunay triangulation of points into the one of the same points elsewhere, in another box, too:
+/// Flip_repair for cells with offsets (docs/theory.md 8.7).
+///
+///     all signs at the goals  -- all hold -->  the table is right as it is
+///           |
+///     hold back, flip, advance  -- lists are empty -->  proved (is_proved_delaunay), or it does not count
+///
+/// There is no border, so that half way is never outside. What is stuck, and what would cost more than the budget, is
+/// left to the caller, which builds anew: nothing is rebuilt locally. Flips are made in a copy of the table.
+template <int d>
+class Periodic_repair {
+  public:
+    /// The table is that of `from`, proved; with result.done it is that of `to`. Where only signs were needed, cells
+    /// keep their numbers. Throws bad_alloc, with the table as it was.
+    Periodic_repair_result repair(Periodic_table<d>& table, const Periodic_points<d>& from,
+                                  const Periodic_points<d>& to, Budget& budget);
+
+  private:
+    /// Cells with failures that are not on the lists of signs.
+    struct Left {
+        std::vector<std::size_t> inverted_at_source;
+        std::vector<Corner_index> stuck, waiting;  // facets that no flip repairs, at present
+    };
+
+    [[nodiscard]] bool is_cell(std::size_t c) const { return work_.vertex[c][0] != none; }
+    [[nodiscard]] bool flip_until_done(const Lattice<d>& lattice);
+    [[nodiscard]] bool hold_back_inverted();
+    [[nodiscard]] bool flip_violated();
+    /// Makes the flip that repairs a violated facet, of which h is a half, if there is one whose cells are positive.
+    [[nodiscard]] bool flip(Corner_index h);
+    [[nodiscard]] bool replace(std::span<const Lifted_cell<d>> gone, std::span<const Cell_images<d>> came);
+    [[nodiscard]] bool nothing_inverted();
+    void find_corners();
+    void moved(Index v);
+
+    Periodic_motion<d> motion_;
+    Periodic_signs<d> signs_;
+    Held_back<d> held_;
+    Left left_;
+    Periodic_table<d> work_;                  // the table that is flipped
+    std::vector<std::size_t> unused_, made_;  // cells of it
+    std::vector<Corner_index> corner_of_;     // by vertex: one of its corners
+    std::vector<std::uint8_t> flipped_;       // by vertex
+    Budget* budget_ = nullptr;
+    std::uint64_t flips_ = 0;
+};
+
+// What the dimensions do not share: periodic_repair_flip.cpp.
+template <>
+bool Periodic_repair<2>::flip(Corner_index h);
+template <>
+bool Periodic_repair<3>::flip(Corner_index h);
+
+extern template class Periodic_repair<2>;
+extern template class Periodic_repair<3>;
+
+}  // namespace annulus::inline v1
