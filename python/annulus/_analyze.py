@@ -83,7 +83,7 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     Error
         For a frame, whose number the message begins with: with the codes of `MovingDelaunay`; ``bad_input`` if it
         cannot be read; ``wrong_size`` if the number of points changes and `what` has ``events``. A `NotAvailableError`
-        for boxes of ASE that are periodic in some directions only, and for ``moves`` in periodic boxes. For arguments
+        for boxes of ASE that are periodic in some directions only. For arguments
         with the code ``usage``. With `stream`, when the frame is asked for.
     ImportError
         If the package that reads a file is not installed.
@@ -92,7 +92,7 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     -----
     Units are those of the source: angstroms with ASE and, whatever the file has, MDAnalysis.
 
-    Without a box one `MovingDelaunay` follows all frames; in a box each frame is rebuilt (`PeriodicDelaunay`).
+    Without a box one `MovingDelaunay` follows all frames; in a box a `PeriodicDelaunay`.
     ``volumes`` cost what `voronoi_volumes` does, and the others about two microseconds per point in 2D and ten in 3D,
     for all of them. A frame of n points keeps 8 n bytes for ``volumes``, 4 n for ``neighbors``, and about 120 n in 2D
     and 340 n in 3D for ``pairs``.

@@ -12,7 +12,7 @@ from . import _arguments, _core
 from ._error import Error
 from ._frame_result import EVENTS, MOVE_COUNTS, MOVES, QUANTITIES, FrameResult, pair_type
 from ._moving_delaunay import MovingDelaunay
-from ._periodic import NotAvailableError, PeriodicDelaunay
+from ._periodic import PeriodicDelaunay
 from ._queries import Floats
 from ._snapshots import Snapshot, naming
 from ._voronoi import clip_of
@@ -69,11 +69,8 @@ class FrameAnalyzer:
 
     def _require(self, snapshot: Snapshot) -> None:
         """That the frame has what was asked for, beside the one before."""
-        if snapshot.box is not None:
-            if self._clip is not None:
-                raise Error("clip is for open boundaries, and there is a periodic box", "usage")
-            if "moves" in self.what:
-                raise NotAvailableError("'moves' is not available with a periodic box yet: each frame is rebuilt")
+        if snapshot.box is not None and self._clip is not None:
+            raise Error("clip is for open boundaries, and there is a periodic box", "usage")
         n, d = snapshot.points.shape
         if self._clip is not None:
             clip_of(self._clip, d)
@@ -93,10 +90,7 @@ class FrameAnalyzer:
             self._dt = (MovingDelaunay(points, threads=self._threads, report_changes=False) if box is None
                         else PeriodicDelaunay(points, box, self._threads))
             return None
-        if box is None:
-            return typing.cast(_core.MoveResult, dt.move(points))
-        dt.move(points, box)
-        return None
+        return typing.cast(_core.MoveResult, dt.move(points) if box is None else dt.move(points, box))
 
     def _pairs(self, frame: int) -> NDArray[np.void]:
         if isinstance(self._dt, PeriodicDelaunay):

@@ -53,8 +53,9 @@ class PeriodicDelaunay:
 
     Notes
     -----
-    Every `move` rebuilds, and costs what constructing costs. There are no tolerances, no lists of changes, no
-    insertion and no removal with a box yet: what `MovingDelaunay` has and this class has not raises a
+    A `move` tests all signs and flips where one fails; where flips are stuck or would cost more it rebuilds, which
+    costs what constructing costs. There are no tolerances, no lists of changes, no insertion and no removal with a box
+    yet: what `MovingDelaunay` has and this class has not raises a
     `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
 
     Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`. What
@@ -85,7 +86,7 @@ class PeriodicDelaunay:
         self._threads = threads
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
-        """Moves all points, and gives the box another shape. Rebuilds.
+        """Moves all points, and gives the box another shape.
 
         Parameters
         ----------
@@ -97,7 +98,7 @@ class PeriodicDelaunay:
         Returns
         -------
         MoveResult
-            All points are `rebuilt` in it. Its lists of simplices and edges are not available: they raise an `Error`
+            All points are `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and edges are not available: they raise an `Error`
             with the code ``usage``.
 
         Raises
@@ -287,8 +288,8 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
     """What `MovingDelaunay` returns when it is given a box."""
     options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
     if options["strategy"] not in ("auto", "rebuild"):
-        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box yet: every move builds "
-                                "anew")
+        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box yet: there are no "
+                                "tolerances")
     for name, usual in (("tolerance", "certified"), ("merge_duplicates", False)):
         if options[name] != usual:
             raise NotAvailableError(f"{name}={options[name]!r} is not available with a periodic box yet")

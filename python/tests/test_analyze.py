@@ -77,8 +77,9 @@ def test_moves():
     assert [dict(zip(a.moves.dtype.names, row)) for row in a.moves.tolist()] == [
         {"frame": k, **counts} for k, counts in enumerate(expected)]
     assert a.moves["asked"].tolist() == [0, 300, 300, 300]
-    with pytest.raises(annulus.NotAvailableError, match="frame 0: 'moves'"):
-        annulus.analyze(x, "moves", box=[9, 9])
+    boxed = annulus.analyze(x, "moves", box=[9, 9]).moves
+    assert boxed["asked"].tolist() == [0, 300, 300, 300] and not boxed["within_tolerance"].any()
+    assert (boxed["kept_in_place"] + boxed["flipped"] + boxed["rebuilt"] == boxed["asked"]).all()
 
 
 def test_crystals_need_a_threshold():

@@ -28,7 +28,7 @@ struct Periodic_repair_result {
 ///     hold back, flip, advance  -- lists are empty -->  proved (is_proved_delaunay), or it does not count
 ///
 /// There is no border, so that half way is never outside. What is stuck, and what would cost more than the budget, is
-/// left to the caller, which builds anew: nothing is rebuilt locally. Flips are made in a copy of the table.
+/// left to the caller, which rebuilds: nothing is rebuilt locally. Flips are made in a copy of the table.
 template <int d>
 class Periodic_repair {
   public:

@@ -59,7 +59,7 @@ Advice advice_of(const Advice_record& r) {
     const bool gains = cost * worthwhile <= 1;
     if (m.wrapped)
         return {gains ? "auto" : "rebuild", "wrapped", 1,
-                text("Unwrap the trajectory, or use a periodic triangulation, which is rebuilt at every move: points "
+                text("Unwrap the trajectory, or use a periodic triangulation: points "
                      "jump across the box, which open boundaries take for moves; as it stands, use %s.",
                      gains ? "auto" : "rebuild")};
     if (gains) {
