@@ -98,8 +98,8 @@ class PeriodicDelaunay:
         Returns
         -------
         MoveResult
-            All points are `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and edges are not available: they raise an `Error`
-            with the code ``usage``.
+            All points are `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and edges are not
+            available: they raise an `Error` with the code ``usage``.
 
         Raises
         ------
