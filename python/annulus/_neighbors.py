@@ -79,7 +79,7 @@ class VoronoiQueries(Queries):
                 return self._mesh.voronoi_volumes()
             return _core.clipped_volumes(self._mesh, *clip_of(clip, self.ndim))
 
-        return _outputs.returned(compute, (self.npoints,), out, dtype, clip)
+        return _outputs.returned(compute, lambda: (self.npoints,), out, dtype, clip)
 
     def voronoi_vjp(self, g: ArrayLike, *, out: NDArray[typing.Any] | None = None,
                     dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
@@ -104,8 +104,8 @@ class VoronoiQueries(Queries):
         gradient does not depend on how cocircular or cospherical points are triangulated. Second derivatives jump
         there. Infinite volumes have no derivative.
         """
-        return _outputs.returned(lambda: _core.voronoi_gradient(self._mesh, g), (self.npoints, self.ndim), out, dtype,
-                                 g)
+        return _outputs.returned(lambda: _core.voronoi_gradient(self._mesh, g), lambda: (self.npoints, self.ndim), out,
+                                 dtype, g)
 
     def voronoi_jacobian(self) -> tuple[Indices, Indices, Floats]:
         """The derivatives of all volumes as a sparse matrix, in compressed rows.
@@ -273,5 +273,6 @@ class VoronoiQueries(Queries):
         if out is None and dtype is None:
             return _core.interpolate(self._mesh, values, xi)
         values, xi = _arguments.array_of(values, "values"), _arguments.array_of(xi, "xi")
-        return _outputs.returned(lambda: _core.interpolate(self._mesh, values, xi), xi.shape[:-1] + values.shape[1:],
-                                 out, dtype, values, xi)
+        shape = xi.shape[:-1] + values.shape[1:]
+        return _outputs.returned(lambda: _core.interpolate(self._mesh, values, xi), lambda: shape, out, dtype, values,
+                                 xi)

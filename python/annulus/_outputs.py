@@ -45,13 +45,14 @@ def _require(out: object, shape: tuple[int, ...], inputs: tuple[object, ...]) ->
         raise Error("out must not overlap an argument", "usage")
 
 
-def returned(compute: Callable[[], NDArray[np.float64]], shape: tuple[int, ...], out: NDArray[typing.Any] | None,
-             dtype: DTypeLike | None, *inputs: object) -> NDArray[typing.Any]:
-    """What `compute` returns, of this shape, as `out` and `dtype` have it. `inputs` are the arguments of the method.
-    `out` is checked first, and written to last."""
+def returned(compute: Callable[[], NDArray[np.float64]], shape_of: Callable[[], tuple[int, ...]],
+             out: NDArray[typing.Any] | None, dtype: DTypeLike | None, *inputs: object) -> NDArray[typing.Any]:
+    """What `compute` returns, as `out` and `dtype` have it. `inputs` are the arguments of the method. `out` is checked
+    first, for the shape of the result, which is only then looked up, and written to last."""
     if out is None and dtype is None:
         return compute()
     kind = _kind_of(dtype, out)
+    shape = () if out is None else shape_of()
     if out is not None:
         _require(out, shape, inputs)
     values = compute()

@@ -200,7 +200,7 @@ class PeriodicDelaunay:
         ndarray of float64, shape (npoints,)
             Each with a relative error of at most 2**-33, 1.2e-10.
         """
-        return _outputs.returned(self._mesh.voronoi_volumes, (self.npoints,), out, dtype)
+        return _outputs.returned(self._mesh.voronoi_volumes, lambda: (self.npoints,), out, dtype)
 
     def audit(self) -> AuditResult:
         """Checks the whole triangulation in integer arithmetic, with code that it does not share with what it checks.
