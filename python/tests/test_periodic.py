@@ -75,10 +75,13 @@ def test_moves_change_points_and_box_and_failed_ones_change_nothing():
     x = points(50)
     dt = annulus.MovingDelaunay(x, box=[1, 1, 1])
     result = dt.move(x + 0.7)
-    assert isinstance(result, annulus.MoveResult) and (result.asked, result.rebuilt) == (50, 50)
+    assert isinstance(result, annulus.MoveResult) and (result.asked, result.kept_in_place) == (50, 50)
+    shaken = dt.move(x @ np.diag([1, 1, -1]))
+    assert (shaken.asked, shaken.rebuilt) == (50, 50)
+    result = dt.move(x + 0.7)
     with pytest.raises(annulus.Error, match="not with a periodic box") as caught:
         result.changed_simplices
-    assert caught.value.code == "usage" and pickle.loads(pickle.dumps(result)).rebuilt == 50
+    assert caught.value.code == "usage" and pickle.loads(pickle.dumps(result)).asked == 50
     assert np.allclose(dt.points, x + 0.7)
     dt.move(x @ TILTED, box=TILTED)
     fresh = annulus.MovingDelaunay(x @ TILTED, box=TILTED)
