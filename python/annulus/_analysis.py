@@ -132,7 +132,7 @@ class Analysis(Computed):
 class AnalysisStream:
     """The frames of `analyze` with ``stream=True``: an iterator of `FrameResult`, which keeps none of them.
 
-    Frames are read and computed when they are asked for. `to_hdf5` and `to_parquet` write all frames that have not
+    Frames are read and computed when they are requested. `to_hdf5` and `to_parquet` write all frames that have not
     been taken yet, one after the other; memory is that of one frame and of a buffer.
 
     Attributes

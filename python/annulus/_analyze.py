@@ -84,7 +84,7 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
         For a frame, whose number the message begins with: with the codes of `MovingDelaunay`; ``bad_input`` if it
         cannot be read; ``wrong_size`` if the number of points changes and `what` has ``events``. A `NotAvailableError`
         for boxes of ASE that are periodic in some directions only. For arguments
-        with the code ``usage``. With `stream`, when the frame is asked for.
+        with the code ``usage``. With `stream`, when the frame is requested.
     ImportError
         If the package that reads a file is not installed.
 

@@ -68,7 +68,7 @@ class FrameAnalyzer:
                            {name: computed[name] for name in self.what})
 
     def _require(self, snapshot: Snapshot) -> None:
-        """That the frame has what was asked for, beside the one before."""
+        """That the frame has what was requested, beside the one before."""
         if snapshot.box is not None and self._clip is not None:
             raise Error("clip is for open boundaries, and there is a periodic box", "usage")
         n, d = snapshot.points.shape

@@ -55,8 +55,8 @@ class PeriodicDelaunay:
     -----
     A `move` tests all signs and flips where one fails; where flips are stuck or would cost more it rebuilds, which
     costs what constructing costs. There are no tolerances, no lists of changes, no insertion and no removal with a box
-    yet: what `MovingDelaunay` has and this class has not raises a
-    `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
+    yet: what `MovingDelaunay` has and this class has not raises a `NotAvailableError`, which is an `Error`, a
+    `NotImplementedError` and an `AttributeError`.
 
     Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`. What
     is pickled or copied is the same afterwards, bit for bit, wherever its points are; also attributes of your own.

@@ -43,7 +43,7 @@ class Gain(AdviseTest):
             self.assertGreaterEqual(found["gain_over_cgal"], min(between))
             self.assertLessEqual(found["gain_over_cgal"], max(between))
 
-    def test_the_page_on_who_gains(self):
+    def test_the_page_on_what_gains(self):
         """docs/when.md: its numbers are those of bench/RESULTS.md."""
         results = results_rows((ROOT / "bench" / "RESULTS.md").read_text(encoding="utf-8"))
         walks = {(3 if "3D" in h else 2, cells[0][4:]): float(cells[3]) for h, cells in results
@@ -56,7 +56,7 @@ class Gain(AdviseTest):
                     for cell, value in ((cells[k], ratio), (cells[k + 1], ratio / walks[d, "1"])):
                         self.assertAlmostEqual(float(cell) / value, 1, delta=0.05, msg=cells)
                         checked += 1
-            elif heading.startswith("## Who") and cells[0] not in ("row", "---"):
+            elif heading.startswith("## Where") and cells[0] not in ("row", "---"):
                 rows = [other for _, other in results if other[0] == cells[0] and cells[2] in other[1:5]]
                 self.assertTrue(rows, cells)
                 self.assertTrue(cells[1] in rows[0] or cells[0].endswith(f"= {cells[1]}"), cells)

@@ -21,7 +21,7 @@ bool Periodic_repair<2>::flip(Corner_index h) {
 }
 
 /// 2-3 where the edge of the opposite vertices p and q crosses the facet, 3-2 where it passes outside, 4-4 where four
-/// points are coplanar and two edges cross. That the cells of a 2-3 or 3-2 flip are positive is what is asked first.
+/// points are coplanar and two edges cross. That the cells of a 2-3 or 3-2 flip are positive is tested first.
 template <>
 bool Periodic_repair<3>::flip(Corner_index h) {
     constexpr std::size_t facing[4][3] = {{2, 1, 3}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
