@@ -8,11 +8,8 @@ set(annulus_plain_headers
     box.h
     degeneracy.h
     error.h
-    mesh_cells.h
-    move_result.h
     moving_mesh.h
     options.h
-    periodic_cells.h
     periodic_mesh.h
     predicates.h
     types.h

@@ -4,8 +4,8 @@
 #include "motion.h"
 #include "stopwatch.h"
 
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <memory>
 #include <string>

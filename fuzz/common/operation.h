@@ -9,8 +9,8 @@
 // and remains legal when it is shrunk.
 
 #include <annulus/error.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ struct Field {
     std::uint64_t& (*of)(Counts&);
 };
 
-/// In the order of move_result.h.
+/// In the order of types.h.
 constexpr Field<Move_counts> counts[] = {
     {"asked", "int: vertices that the call was to move; the next five add up to it.",
      [](Move_counts& c) -> std::uint64_t& { return c.asked; }},

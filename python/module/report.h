@@ -4,7 +4,7 @@
 #include <module/arrays.h>
 
 #include <annulus/measure/neighbour_changes.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 
 #include <memory>
 #include <utility>

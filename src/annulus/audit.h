@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/box.h>
 #include <annulus/types.h>
 
 #include <array>
@@ -112,5 +113,27 @@ struct Audit_result {
 /// corners are swapped.
 [[nodiscard]] Audit_result audit_unoriented(Audit_input<2>& input);
 [[nodiscard]] Audit_result audit_unoriented(Audit_input<3>& input);
+
+/// The input of an audit of a periodic triangulation, nothing derived. Coordinates are taken as they are, and offsets
+/// in the box's vectors, in integers: nothing is rounded.
+template <int d>
+struct Periodic_audit_input {
+    std::vector<Coordinates<d>> points;
+    typename Box<d>::Vectors box;
+    /// `neighbours` and `translations` may be left empty: then the gluing alone is examined that the cells imply.
+    Periodic_cells<d> cells;
+    std::size_t most_faults = 0;  ///< how many faults to list, beside counting all
+};
+
+/// Exact verdict on a periodic triangulation: every cell is positive; every facet belongs to two cells, up to a
+/// translation, on different sides; the volumes of the cells add up to that of the box; every vertex has a cell; no
+/// opposite vertex is strictly inside the sphere of a bi-cell; neighbours and translations, if given, are those of the
+/// facets. By docs/theory.md 8.3 these suffice. Cospherical points are no fault (degenerate_facets). Integers
+/// throughout, by code of its own. In the result `overlap` also says that the cells cover the box several times, and
+/// `hull_broken` that a facet has no other side, or another one than is said. O(n log n), some microseconds a cell.
+/// Preconditions: finite coordinates, offsets below 2^29. Throws wrong_size where the arrays of the cells differ in
+/// length.
+[[nodiscard]] Audit_result audit(const Periodic_audit_input<2>& input);
+[[nodiscard]] Audit_result audit(const Periodic_audit_input<3>& input);
 
 }  // namespace annulus::inline v1

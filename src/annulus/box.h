@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -47,6 +48,36 @@ class Box {
 
   private:
     Vectors vectors_;
+};
+
+/// The cells of a periodic triangulation, one of each set of translates, numbered 0, 1, 2 .., and their adjacency.
+template <int d>
+struct Periodic_cells {
+    static constexpr std::size_t corners = d + 1;
+    /// The vertices of each cell, positively oriented (Mesh_cells). A vertex may occur several times.
+    std::vector<std::array<Index, corners>> vertices;
+    /// Which image of the vertex a corner is: corner k of cell c is at points[vertices[c][k]] + offsets[c][k] . box.
+    /// The least offset of a cell is 0 in each direction.
+    std::vector<std::array<Shift<d>, corners>> offsets;
+    /// The cell beyond the facet opposite to each corner, never the cell itself. Two cells may share several facets.
+    std::vector<std::array<Index, corners>> neighbours;
+    /// What to add to the offsets of that cell, so that the images of the common facet are the same.
+    std::vector<std::array<Shift<d>, corners>> translations;
+};
+
+/// The Voronoi facets of points in a periodic box: an entry for each ordered pair of neighbouring images, in ascending
+/// order of (first, second, shift). A pair is there in both directions; a point may be its own neighbour, and two
+/// points neighbours several times, with different shifts.
+template <int d>
+struct Periodic_neighbours {
+    std::vector<Index> first, second;
+    /// Which image of the second point it is: vector = points[second] - points[first] + shift . box.
+    std::vector<Shift<d>> shift;
+    std::vector<Coordinates<d>> vector;  ///< exact
+    std::vector<double> distance;        ///< its length, rounded
+    /// The length (2D) or area (3D) of the common facet of the Voronoi cells. 0 where that is exactly empty, or a
+    /// point, or in 3D an edge, and only there: as in a cubic crystal, whose cells touch in points and edges, too.
+    std::vector<double> area;
 };
 
 extern template class Box<2>;

@@ -3,9 +3,8 @@
 
 #include <annulus/audit.h>
 #include <annulus/error.h>
-#include <annulus/mesh_cells.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <array>
 #include <memory>

@@ -4,8 +4,6 @@
 #include <annulus/audit.h>
 #include <annulus/box.h>
 #include <annulus/error.h>
-#include <annulus/move_result.h>
-#include <annulus/periodic_cells.h>
 #include <annulus/types.h>
 
 #include <cstddef>
@@ -93,7 +91,7 @@ class Periodic_mesh {
     /// O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
 
-    /// Exact audit of the cells, for places() and box(); see periodic_cells.h. O(n).
+    /// Exact audit of the cells, for places() and box(); see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }
     /// Its input: places(), the vectors of box(), and cells() with offsets that refer to places().
     [[nodiscard]] Periodic_audit_input<d> audit_input() const;

@@ -10,8 +10,8 @@
 #include <support/stages.h>
 
 #include <annulus/audit.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <limits>
 #include <span>

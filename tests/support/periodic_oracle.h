@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/periodic_cells.h>
+#include <annulus/audit.h>
+#include <annulus/box.h>
 
 #include <gmpxx.h>
 

@@ -3,8 +3,8 @@
 
 #include <annulus/audit.h>
 #include <annulus/mesh/cell_lists.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <cstddef>
 #include <memory>

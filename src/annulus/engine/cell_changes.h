@@ -3,7 +3,7 @@
 
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/change_log.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 
 #include <array>
 #include <vector>

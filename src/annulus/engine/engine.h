@@ -4,9 +4,8 @@
 #include <annulus/audit.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/change_log.h>
-#include <annulus/mesh_cells.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
+#include <annulus/types.h>
 
 #include <memory>
 #include <utility>

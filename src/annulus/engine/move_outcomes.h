@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/engine/step.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include <annulus/engine/budget.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/mesh/certificates.h>
-#include <annulus/move_result.h>
 #include <annulus/predicate/exact_sign.h>
+#include <annulus/types.h>
 
 #include <optional>
 #include <span>

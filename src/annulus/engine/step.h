@@ -6,7 +6,7 @@
 #include <annulus/engine/expiry_list.h>
 #include <annulus/engine/vertex_record.h>
 #include <annulus/internal/index.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 
 #include <cstdint>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include <annulus/engine/certificate_checker.h>
 #include <annulus/engine/cost_model.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 
 #include <cstdint>
 #include <span>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <annulus/internal/index.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
 #include <annulus/types.h>
 

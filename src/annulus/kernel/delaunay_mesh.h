@@ -6,7 +6,7 @@
 #include <annulus/kernel/vertex_set.h>
 #include <annulus/mesh/corner_table.h>
 #include <annulus/mesh/landmarks.h>
-#include <annulus/mesh_cells.h>
+#include <annulus/types.h>
 
 #include <memory>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/box.h>
 #include <annulus/mesh/periodic_table.h>
-#include <annulus/periodic_cells.h>
 #include <annulus/space/lattice.h>
 
 #include <span>

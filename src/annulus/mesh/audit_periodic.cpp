@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The audit of periodic triangulations, in both dimensions. Integers; shares nothing with what builds them.
-#include <annulus/periodic_cells.h>
+#include <annulus/audit.h>
+#include <annulus/box.h>
 
 #include <annulus/error.h>
 

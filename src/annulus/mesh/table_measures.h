@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/mesh/certificates.h>
-#include <annulus/mesh_cells.h>
+#include <annulus/types.h>
 
 #include <span>
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <annulus/mesh/certificates.h>
-#include <annulus/move_result.h>
 #include <annulus/options.h>
 #include <annulus/predicate/certificate_value.h>
 #include <annulus/published/least_tolerance.h>
+#include <annulus/types.h>
 
 #include <span>
 #include <vector>

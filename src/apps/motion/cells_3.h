@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh_cells.h>
 #include <annulus/types.h>
 #include <apps/motion/domain_3.h>
 

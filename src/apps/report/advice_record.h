@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/degeneracy.h>
-#include <annulus/move_result.h>
+#include <annulus/types.h>
 #include <apps/report/run_record.h>
 
 #include <array>
