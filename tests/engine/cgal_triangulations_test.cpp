@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Moving_delaunay made from pairs, from triangulations of CGAL's and by copying, over a caller's own vertices and
-// cells; and move_if_no_collision, as CGAL has it.
+// cells.
 #include <annulus/moving_delaunay_2.h>
 #include <annulus/moving_delaunay_3.h>
 
@@ -8,10 +8,10 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <support/cases.h>
+#include <support/cgal_triangulations.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,40 +60,6 @@ using With_info = std::conditional_t<d == 2, With_info_2, With_info_3>;
 template <int d>
 using Ours =
     std::conditional_t<d == 2, Moving_delaunay_with_info_2<std::string>, Moving_delaunay_with_info_3<std::string>>;
-
-template <int d>
-auto point(const Coordinates<d>& x) {
-    if constexpr (d == 2) return Kernel::Point_2(x[0], x[1]);
-    else return Kernel::Point_3(x[0], x[1], x[2]);
-}
-
-template <int d>
-Points_of<d> places(std::size_t n, std::uint64_t seed) {
-    Random random(seed);
-    Points_of<d> x(n);
-    for (auto& p : x)
-        for (double& c : p) c = between(random, 0, 1);
-    return x;
-}
-
-/// The finite cells as sets of points: what two triangulations have in common, whatever their handles.
-template <class Dt>
-auto cells_of(const Dt& dt) {
-    std::set<std::set<typename Dt::Point>> cells;
-    const auto take = [&](auto c, int corners) {
-        std::set<typename Dt::Point> points;
-        for (int i = 0; i < corners; ++i) points.insert(c->vertex(i)->point());
-        cells.insert(points);
-    };
-    if constexpr (requires {
-                      dt.finite_faces_begin();
-                      dt.number_of_faces();
-                  })
-        for (auto f = dt.finite_faces_begin(); f != dt.finite_faces_end(); ++f) take(f, 3);
-    else
-        for (auto c = dt.finite_cells_begin(); c != dt.finite_cells_end(); ++c) take(c, 4);
-    return cells;
-}
 
 template <int d, class Dt>
 void move_about(Moving_delaunay<Dt>& dt, Random& random) {
@@ -271,33 +237,4 @@ TEMPLATE_TEST_CASE_SIG("A copy lives by itself, dimension", "[cgal]", ((int d), 
         mesh = twin;
         CHECK((mesh.is_vertex(4) && mesh.points()[5] == x[5] && mesh.audit().delaunay()));
     }
-}
-
-TEMPLATE_TEST_CASE_SIG("move_if_no_collision does what CGAL's does, dimension", "[cgal]", ((int d), d), 2, 3) {
-    Random random(8);
-    const auto x = places<d>(30, 10);
-    Plain<d> theirs;
-    std::vector<typename Plain<d>::Vertex_handle> handle;
-    for (const auto& p : x) handle.push_back(theirs.insert(point<d>(p)));
-    Moving_delaunay<Plain<d>> dt(std::span<const Coordinates<d>>(x), Options{});
-    int collisions = 0;
-    for (int k = 0; k < 300; ++k) {
-        const std::size_t i = random() % 30, j = random() % 30;
-        auto to = random() % 3 == 0 ? handle[j]->point() : point<d>(places<d>(1, random())[0]);
-        const auto ours = dt.move_if_no_collision(dt.vertex(i), to);
-        const auto cgal = theirs.move_if_no_collision(handle[i], to);
-        const bool collides = cgal != handle[i];
-        collisions += collides ? 1 : 0;
-        const auto expected =
-            collides ? static_cast<std::size_t>(std::find(handle.begin(), handle.end(), cgal) - handle.begin()) : i;
-        REQUIRE(dt.index(ours) == static_cast<Index>(expected));
-        REQUIRE(dt.vertex(i)->point() == handle[i]->point());
-    }
-    CHECK(collisions > 20);
-    CHECK(cells_of(dt.triangulation()) == cells_of(theirs));
-    CHECK(dt.audit().delaunay());
-    auto nowhere = x[0];
-    nowhere[0] = 1e200;
-    CHECK_THROWS_AS(dt.move_if_no_collision(dt.vertex(1), point<d>(nowhere)), Error);
-    CHECK_THROWS_AS(dt.move_if_no_collision({}, point<d>(x[0])), Error);
 }

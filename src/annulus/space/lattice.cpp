@@ -5,8 +5,8 @@
 #include <annulus/arithmetic/exact.h>
 #include <annulus/arithmetic/wide_integer.h>
 #include <annulus/error.h>
-#include <annulus/space/dot.h>
 #include <annulus/space/reach.h>
+#include <annulus/space/rounded_sum.h>
 #include <annulus/space/selling.h>
 
 #include <algorithm>
@@ -22,7 +22,6 @@ constexpr int bits = 49;                // of the grid: 2^bits units are the pow
 constexpr double most_skew = 8;         // a coordinate of the box's vectors, in that power of two
 constexpr double nearly_reduced = 2.5;  // a reach that reduced bases do not exceed
 constexpr double still_reduced = 2.6;   // the same after rounding
-constexpr double most_images = 0x1p29;
 constexpr int most_exponent = 150;
 constexpr std::int64_t most_combined = 64;  // a factor of a vector of the box in one of the basis
 
@@ -59,12 +58,6 @@ Coordinates<d> combined(const std::array<std::int64_t, static_cast<std::size_t>(
                 "the extent of a reduced box of its lattice; reduce it first");
 }
 
-[[noreturn]] void throw_thin() {
-    throw Error(Error_code::usage,
-                "the box is too thin in a direction that is not along an axis: its vectors, rounded to 2^-49 of its "
-                "extents, are another lattice's. Down to a millionth of its length any direction is possible");
-}
-
 template <int d>
 bool is_reduced(const Coordinates<d>& reach, double limit) {
     return std::all_of(reach.begin(), reach.end(), [limit](double r) { return r <= limit; });
@@ -81,32 +74,6 @@ void require_finite(const Vectors_of<d>& box) {
         }
 }
 
-/// The multiple of 1 nearest to the sum of terms, halves upward: exactly while fractions of the terms are multiples of
-/// 2^-47, otherwise up to 2^-47 of a unit.
-struct Rounded_sum {
-    Int128 whole = 0;
-    double fraction = 0;
-
-    void add(double term) {
-        const double below = std::floor(term);
-        whole += static_cast<Int128>(below);
-        fraction += term - below;
-    }
-    [[nodiscard]] Int128 nearest() const { return whole + static_cast<Int128>(std::floor(fraction + 0.5)); }
-};
-
-double rounded(double x, double grid) {
-    Rounded_sum sum;
-    sum.add(x / grid);
-    return static_cast<double>(sum.nearest()) * grid;
-}
-
-/// Whether a place with these coordinates in the basis is in its cell, up to half a vector.
-template <int d>
-bool is_near(const Coordinates<d>& f) {
-    return std::all_of(f.begin(), f.end(), [](double c) { return c >= -0.5 && c < 1.5; });
-}
-
 template <int d>
 int sign_of_determinant(const Vectors_of<d>& box) {
     std::vector<double> numbers;
@@ -118,6 +85,14 @@ int sign_of_determinant(const Vectors_of<d>& box) {
 }
 
 }  // namespace
+
+/// Where rounding a thin box to the grid makes another lattice of it.
+template <int d>
+void Lattice<d>::throw_thin() {
+    throw Error(Error_code::usage,
+                "the box is too thin in a direction that is not along an axis: its vectors, rounded to 2^-49 of its "
+                "extents, are another lattice's. Down to a millionth of its length any direction is possible");
+}
 
 template <int d>
 Lattice<d>::Lattice(const Vectors& box) : given_(box) {
@@ -227,110 +202,7 @@ Coordinates<d> Lattice<d>::heights() const {
     return h;
 }
 
-template <int d>
-Coordinates<d> Lattice<d>::in_basis(const Coordinates<d>& p) const {
-    Coordinates<d> f;
-    for (std::size_t j = 0; j < d; ++j) f[j] = dot<d>(dual_[j], p);
-    return f;
-}
-
-template <int d>
-Coordinates<d> Lattice<d>::place(const Coordinates<d>& place, Offset<d> offset) const {
-    if (offset.is_zero()) return place;
-    const Shift<d> o = offset.unpacked();
-    Coordinates<d> p = place;
-    for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d; ++i) p[i] += o[j] * basis_[j][i];
-    return p;
-}
-
-template <int d>
-Shift<d> Lattice<d>::in_box(Offset<d> offset) const {
-    const Shift<d> o = offset.unpacked();
-    Shift<d> shift{};
-    for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d; ++i) shift[i] += o[j] * static_cast<std::int32_t>(to_box_[j][i]);
-    return shift;
-}
-
-template <int d>
-Representative<d> Lattice<d>::representative(const Coordinates<d>& p, std::int64_t i) const {
-    for (const double c : p)
-        if (!is_finite_number(c))
-            throw Error(Error_code::not_finite,
-                        "a coordinate of point " + std::to_string(i) + " is not a finite number", {i});
-    Representative<d> r;
-    std::array<std::int64_t, static_cast<std::size_t>(d)> image{};  // by vectors of the box
-    Coordinates<d> left = p;
-    for (int turn = 0; turn < 8; ++turn) {
-        const Coordinates<d> f = in_basis(left);
-        if (turn > 0 && is_near<d>(f)) return r;
-        for (std::size_t j = 0; j < d; ++j) {
-            const double k = std::floor(f[j]);
-            if (!(std::fabs(k) <= most_images)) break;
-            for (std::size_t c = 0; c < d; ++c) image[c] += static_cast<std::int64_t>(k) * to_box_[j][c];
-        }
-        for (std::size_t c = 0; c < d; ++c) {
-            if (!(std::fabs(f[c]) <= most_images) || !(std::fabs(p[c] / grid_[c]) < 0x1p100) ||
-                std::fabs(static_cast<double>(image[c])) > most_images)
-                throw Error(Error_code::out_of_domain,
-                            "point " + std::to_string(i) + " is more than 2^29 boxes away from the origin", {i});
-            r.image[c] = static_cast<std::int32_t>(image[c]);
-        }
-        for (std::size_t c = 0; c < d; ++c) {
-            Rounded_sum sum;
-            sum.add(p[c] / grid_[c]);
-            for (std::size_t j = 0; j < d; ++j) {
-                if (image[j] == 0) continue;
-                const double times = -static_cast<double>(image[j]);
-                const double length = given_[j][c] / grid_[c];
-                const double product = times * length;
-                sum.add(product);
-                sum.add(std::fma(times, length, -product));
-            }
-            r.place[c] = static_cast<double>(sum.nearest()) * grid_[c];
-        }
-        left = r.place;
-    }
-    throw_thin();
-}
-
-template <int d>
-bool Lattice<d>::is_representative(const Representative<d>& r) const {
-    for (std::size_t i = 0; i < d; ++i) {
-        const double units = r.place[i] / grid_[i];
-        if (!(std::fabs(units) < 0x1p53) || std::floor(units) != units) return false;
-        if (std::fabs(static_cast<double>(r.image[i])) > most_images) return false;
-    }
-    return is_near<d>(in_basis(r.place));
-}
-
-template <int d>
-Coordinates<d> Lattice<d>::imaged(const Representative<d>& r) const {
-    Coordinates<d> p;
-    for (std::size_t i = 0; i < d; ++i) {
-        Int128 sum = static_cast<std::int64_t>(r.place[i] / grid_[i]);
-        for (std::size_t j = 0; j < d; ++j)
-            sum += Int128{r.image[j]} * static_cast<std::int64_t>(box_[j][i] / grid_[i]);
-        p[i] = static_cast<double>(sum) * grid_[i];
-    }
-    return p;
-}
-
 template class Lattice<2>;
 template class Lattice<3>;
-
-template <int d>
-Box<d>::Box(const Vectors& vectors) : vectors_(vectors) {
-    (void)Lattice<d>(vectors);
-}
-
-template <int d>
-double Box<d>::volume() const noexcept {
-    return std::fabs(determinant_of_rows(vectors_));
-}
-
-template class Box<2>;
-template class Box<3>;
 
 }  // namespace annulus::inline v1

@@ -66,6 +66,7 @@ class Lattice {
     [[nodiscard]] Coordinates<d> imaged(const Representative<d>& r) const;
 
   private:
+    [[noreturn]] static void throw_thin();
     void choose_grid();
     void require_combinations() const;
     void round_box();
