@@ -111,3 +111,18 @@ def check(dt):
     assert of.shape == (n,)
     for v in range(n):
         assert of[v] == -1 if not full or not is_vertex[v] else v in simplices[of[v]]
+
+
+def lattice(kind, side=5):
+    """Points of a lattice, and the number of the one in the middle."""
+    d = 2 if kind == "square" else 3
+    base = np.array(list(itertools.product(range(side), repeat=d)), dtype=float)
+    shifts = {"square": [[0, 0]], "cubic": [[0, 0, 0]], "bcc": [[0, 0, 0], [.5, .5, .5]],
+              "fcc": [[0, 0, 0], [.5, .5, 0], [.5, 0, .5], [0, .5, .5]]}[kind]
+    x = np.concatenate([base + s for s in shifts])
+    return x, int(np.argmin(np.sum((x - side // 2) ** 2, axis=1)))
+
+
+def pairs_of(simplices):
+    """The edges of simplices, as sorted pairs of indices."""
+    return {tuple(sorted(pair)) for row in simplices.tolist() for pair in itertools.combinations(row, 2)}
