@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The test `fortran`: compiles MODULE, the test program and the example, as a user would, and runs them with LIBRARY.
+# The test `fortran`: compiles MODULE, the PARTS of the test program, and SOURCES, the program and the
+# example, as a user would, and runs these with LIBRARY.
 # The compiler is that of the environment variable FC, else gfortran; without one the test is skipped.
 find_program(compiler NAMES $ENV{FC} gfortran)
 if(NOT compiler)
@@ -18,10 +19,16 @@ function(step)
     execute_process(COMMAND ${ARGV} WORKING_DIRECTORY "${SCRATCH}" COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 step("${compiler}" ${warnings} -c "${MODULE}" -o annulus.o)
+set(objects "")
+foreach(source IN LISTS PARTS)
+    cmake_path(GET source STEM name)
+    step("${compiler}" ${warnings} -c "${source}" -o "${name}.o")
+    list(APPEND objects "${name}.o")
+endforeach()
 cmake_path(GET LIBRARY PARENT_PATH folder)
 foreach(source IN LISTS SOURCES)
     cmake_path(GET source STEM name)
-    step("${compiler}" ${warnings} "${source}" annulus.o "${LIBRARY}" "-Wl,-rpath,${folder}" -o "${name}")
+    step("${compiler}" ${warnings} "${source}" ${objects} annulus.o "${LIBRARY}" "-Wl,-rpath,${folder}" -o "${name}")
     step("${SCRATCH}/${name}")
 endforeach()
 
