@@ -8,8 +8,10 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import threading
+import unittest
 from pathlib import Path
 
 import websocket
@@ -149,3 +151,19 @@ class Page:
     def close(self):
         self.browser.call("Target.closeTarget", targetId=self.target)
         self.browser.events = [e for e in self.browser.events if e.get("sessionId") != self.session]
+
+
+class BrowserTest(unittest.TestCase):
+    """Tests that share one browser, `self.browser`. The program ends with 77, skipped, where there is no Chromium."""
+
+    @classmethod
+    def setUpClass(cls):
+        try:
+            cls.browser = Browser()
+        except FileNotFoundError as missing:
+            print(f"tests/pages: {missing} (tools/setup --deep)")
+            sys.exit(77)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()

@@ -8,10 +8,9 @@ usage: tests/pages/test_committed.py [CLASS[.METHOD] ...]
 Needs chromium and python3-websocket (tools/setup --deep). Ends with 77 where there is no Chromium.
 """
 
-import sys
 import unittest
 
-from test_pages import CLASHES, ROOT, Browser, Page
+from test_pages import CLASHES, ROOT, BrowserTest, Page
 
 PAGES = sorted(ROOT.glob("docs/**/*.html"))
 FIGURES = sorted(ROOT.glob("docs/degeneracy/*.svg"))
@@ -32,19 +31,7 @@ NO_NUMBERS = """(() => {
 BROKEN = "[...document.images].filter(i => !i.complete || i.naturalWidth === 0).map(i => i.src.slice(0, 100))"
 
 
-class Committed(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        try:
-            cls.browser = Browser()
-        except FileNotFoundError as missing:
-            print(f"tests/pages: {missing} (tools/setup --deep)")
-            sys.exit(77)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-
+class Committed(BrowserTest):
     def look(self, path):
         page = Page(self.browser, path)
         try:

@@ -20,7 +20,7 @@ import unittest
 from pathlib import Path
 
 try:
-    from browser import Browser, Page
+    from browser import BrowserTest, Page
 except ImportError as missing:
     print(f"tests/pages: {missing}; install python3-websocket (tools/setup --deep)")
     sys.exit(77)
@@ -66,7 +66,7 @@ CONTRAST = """(() => {
 })()"""
 
 
-class Pages(unittest.TestCase):
+class Pages(BrowserTest):
     tool = screenshots = None
 
     @classmethod
@@ -96,15 +96,11 @@ class Pages(unittest.TestCase):
             if done.returncode != kind.status:
                 raise AssertionError(f"annulus {' '.join(words)}: exit status {done.returncode}\n{done.stderr}")
             cls.pages[kind.name] = where / kind.name / kind.page
-        try:
-            cls.browser = Browser()
-        except FileNotFoundError as missing:
-            print(f"tests/pages: {missing} (tools/setup --deep)")
-            sys.exit(77)
+        super().setUpClass()
 
     @classmethod
     def tearDownClass(cls):
-        cls.browser.close()
+        super().tearDownClass()
         cls.directory.cleanup()
 
     def open(self, name, **how):

@@ -14,7 +14,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from browser import Browser, Page
+from browser import BrowserTest, Page
 
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "build/docs/html"
@@ -26,19 +26,7 @@ SEARCHES = {"periodic box": "md_docs_periodic.html", "move_all": "classannulus_1
             "voronoi_vjp": "python_names.html", "annulus_create": "annulus_8h.html", "exit status": "md_docs_tool.html"}
 
 
-class Site(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        try:
-            cls.browser = Browser()
-        except FileNotFoundError as missing:
-            print(f"tests/pages: {missing} (tools/setup --deep)")
-            sys.exit(77)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-
+class Site(BrowserTest):
     def opened(self, name, **size):
         page = Page(self.browser, SITE / name, **size)
         self.addCleanup(page.close)
