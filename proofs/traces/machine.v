@@ -12,7 +12,7 @@ Import ListNotations.
 Open Scope Z_scope.
 
 (* What limits.h sets. *)
-Record horizons := { listed : nat; last_stamp : Z; half_mask : Z; path_ratio : float }.
+Record limits := { listed : nat; last_stamp : Z; half_mask : Z; path_ratio : float }.
 
 Definition point := list float.
 Open Scope float_scope.
@@ -65,7 +65,7 @@ Definition latest (l : expiry_list) : Z :=
 Close Scope float_scope.
 
 Section machine.
-Variable h : horizons.
+Variable h : limits.
 
 Definition machine : world := {|
   position := point; vertex := Z; certificate := list Z; same_vertex := Z.eq_dec; same_position := same_coordinates;

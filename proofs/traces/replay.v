@@ -28,7 +28,7 @@ Open Scope Z_scope.
 (* ---- The state ---- *)
 
 Section history.
-Variables (dimension : nat) (h : horizons).
+Variables (dimension : nat) (h : limits).
 #[local] Instance W : world := machine h.
 
 Definition place_of : reader machine.point := times dimension real_number.
@@ -227,7 +227,7 @@ Fixpoint events (fuel : nat) (y : system) : reader system :=
   match fuel with O => ret y | S fuel => e <- number; if e =? 0 then ret y else z <- event e y; events fuel z end.
 End history.
 
-(* A history: dimension, horizons, events to the end. Decisions. *)
+(* A history: dimension, limits, events to the end. Decisions. *)
 Definition history (fuel : nat) : reader Z :=
   d <- number; l <- number; s <- number; m <- number; o <- real_number; e <- number; d' <- number;
   must 1 ((e =? 1) && (d =? d'))

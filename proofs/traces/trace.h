@@ -2,9 +2,11 @@
 #pragma once
 
 // What `tolerances` decided, as a sequence of words below 2^63 that proofs/traces/replay.v reads:
-// src/annulus/engine/trace.h says where this comes in. An event is its number (the enumeration below) and what the
-// comment beside it says; a position is d numbers, a list of things is how many there are and these. A number is its
+// src/annulus/engine/trace.h says where this comes in. An event is its number (trace_events.h) and what the comment
+// beside it says; a position is d numbers, a list of things is how many there are and these. A number is its
 // bits, after `minus` when it is negative.
+#include "trace_events.h"
+
 #include <annulus/engine/displacement_budget.h>
 
 #include <algorithm>
@@ -17,29 +19,7 @@
 
 namespace annulus::inline v1 {
 
-struct Trace {
-    enum Event : std::uint64_t {
-        history = 1,  ///< dimension: another triangulation
-        places,       ///< vertices with their positions: where they are going, or are
-        gone,         ///< vertices that are none any more
-        begin,        ///< everything is re-evaluated; `places` names all vertices
-        recompute,    ///< the vertices with threshold and list: it has been
-        test,         ///< 0 for all vertices or the mover + 1; the vertices that failed
-        stamp,        ///< a step begins, with this stamp
-        anchor,       ///< the vertices that failed with their bases
-        examine,      ///< vertex; 0 or 1: whether there was a star walk; what it went round; pending certificates; list
-        undo,         ///< the step is taken back
-        replaced,     ///< certificates that are gone or have other points now; what follows is written down
-        write,        ///< id, tolerance; its points with base and expiry
-        finish,       ///< vertex; 0 or 1: whether it was rebased; what that went round; base, threshold, list
-        over,         ///< how many certificates there are: the step is over
-        place,        ///< vertex, position: it is new
-        untracked,    ///< a step without tolerances
-        failed,       ///< a call ended in an error (traces.cpp)
-        requested,    ///< a call succeeded that was to bring these vertices to these positions (traces.cpp)
-    };
-    static constexpr std::uint64_t minus = (std::uint64_t{1} << 63) - 1;
-
+struct Trace : Trace_events {
     static inline bool on = false;
     static inline std::vector<std::uint64_t> words;
 

@@ -47,7 +47,8 @@ struct Motion_path {
 template <int d>
 class Held_back {
   public:
-    struct Held {
+    /// A vertex that is held back.
+    struct Entry {
         Index vertex;
         Coordinates<d> source;  // in this round
         Coordinates<d> target;
@@ -58,7 +59,7 @@ class Held_back {
     /// Starts with all vertices at their targets; their indices are below the bound.
     void begin(const Motion_path<d>& path, std::size_t bound);
     [[nodiscard]] bool empty() const { return held_.empty(); }
-    [[nodiscard]] std::span<const Held> held() const { return held_; }
+    [[nodiscard]] std::span<const Entry> held() const { return held_; }
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
 
     /// Moves one of these vertices back, the one farthest from its source: half way the first time, to its source the
@@ -76,7 +77,7 @@ class Held_back {
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     /// The place that this vertex is tried at.
-    [[nodiscard]] Coordinates<d> on_the_way(const Held& held) const {
+    [[nodiscard]] Coordinates<d> on_the_way(const Entry& held) const {
         Coordinates<d> p = held.source;
         for (std::size_t i = 0; i < p.size(); ++i) {
             p[i] += held.fraction * (held.target[i] - held.source[i]);
@@ -87,7 +88,7 @@ class Held_back {
 
     Motion_path<d> path_;
     bool first_round_ = true;
-    std::vector<Held> held_;
+    std::vector<Entry> held_;
     std::vector<Index> place_of_;  // by vertex: 1 + its place in held_, 0 when it is not held back
 };
 
@@ -120,7 +121,7 @@ Index Held_back<d>::hold_back(const Cell_sites<d>& cell) {
         held_.push_back({farthest, path_.source_of(farthest), x, 1.0, 0});
         k = static_cast<Index>(held_.size());
     }
-    Held& held = held_[at(k - 1)];
+    Entry& held = held_[at(k - 1)];
     held.fraction *= 0.5;
     if (++held.times > 1) {
         x = held.source;
@@ -137,7 +138,7 @@ bool Held_back<d>::advance(Moved moved) {
     bool progress = false;
     std::size_t left = 0;
     first_round_ = false;
-    for (Held held : held_) {
+    for (Entry held : held_) {
         const Coordinates<d>& here = path_.x[at(held.vertex)];
         if (here != held.source) {
             progress = true;
@@ -151,7 +152,7 @@ bool Held_back<d>::advance(Moved moved) {
         place_of_[at(held.vertex)] = static_cast<Index>(left);
     }
     held_.resize(left);
-    for (const Held& held : held_) {
+    for (const Entry& held : held_) {
         path_.x[at(held.vertex)] = held.fraction < 1.0 ? on_the_way(held) : held.target;
         moved(held.vertex);
     }
@@ -161,7 +162,7 @@ bool Held_back<d>::advance(Moved moved) {
 template <int d>
 template <class Moved>
 void Held_back<d>::release(Moved moved) {
-    for (const Held& held : held_) {
+    for (const Entry& held : held_) {
         place_of_[at(held.vertex)] = 0;
         if (path_.x[at(held.vertex)] == held.target) continue;
         path_.x[at(held.vertex)] = held.target;

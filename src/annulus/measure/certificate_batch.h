@@ -48,10 +48,10 @@ struct Certificate_batch {
     std::vector<Vertices> point{};  ///< the last is `none` where there are only d + 1
     std::vector<T> tuple{};
     // Found:
-    std::vector<Certificate_value> verdict{};  ///< of the filtered predicate, as in a run
-    Stage_counts arithmetic{};                 ///< of the values
-    std::vector<Half_width> half{};            ///< the least one
-    std::vector<Below_thresholds> below{};     ///< the least one compared
+    std::vector<Certificate_value> value{};  ///< of the filtered predicate, as in a run
+    Stage_counts arithmetic{};               ///< of the values
+    std::vector<Half_width> half{};          ///< the least one
+    std::vector<Below_thresholds> below{};   ///< the least one compared
 
     template <std::size_t k>
     void append(Id named, const std::array<Site<d>, k>& v, std::span<const Coordinates<d>> x) {
@@ -72,8 +72,8 @@ struct Certificate_batch {
         tuple.clear();
     }
     void judge() {
-        verdict.resize(id.size());
-        arithmetic = evaluate(std::span<const T>(tuple), Tolerance_precision::lower_bound, verdict);
+        value.resize(id.size());
+        arithmetic = evaluate(std::span<const T>(tuple), Tolerance_precision::lower_bound, value);
     }
 };
 

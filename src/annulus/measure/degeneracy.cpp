@@ -174,11 +174,11 @@ class Degeneracy_scan {
             const unsigned mark = (h.upper == 0.0 ? 1U : 0U) | b.below[i].tolerance << 1;
             for (const Index v : b.point[i]) {
                 if (v == none) continue;
-                tolerance_[at(v)] = std::min(tolerance_[at(v)], b.verdict[i].tolerance);
+                tolerance_[at(v)] = std::min(tolerance_[at(v)], b.value[i].tolerance);
                 marks_[at(v)] |= mark;
             }
             if (options_.raw)
-                options_.raw({kind, b.point[i], 2 * h.lower, 2 * h.upper, b.verdict[i].tolerance, b.verdict[i].stage,
+                options_.raw({kind, b.point[i], 2 * h.lower, 2 * h.upper, b.value[i].tolerance, b.value[i].stage,
                               theta.empty() ? 0 : theta[i]});
         }
     }

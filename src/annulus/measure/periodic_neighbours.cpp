@@ -36,7 +36,7 @@ class Edges {
     std::vector<Edge<d>> operator()() {
         for (std::size_t c = 0; c < table_.size(); ++c)
             for (std::size_t a = 0; a <= d; ++a)
-                for (std::size_t b = a + 1; b <= d; ++b) look_at(c, a, b);
+                for (std::size_t b = a + 1; b <= d; ++b) visit(c, a, b);
         return std::move(edges_);
     }
 
@@ -44,7 +44,7 @@ class Edges {
     using Table = Periodic_table<d>;
 
     /// Takes the edge of these corners if c has the least number of all cells around it.
-    void look_at(std::size_t c, std::size_t a, std::size_t b) {
+    void visit(std::size_t c, std::size_t a, std::size_t b) {
         const Image<d> from = table_.image(c, a), to = table_.image(c, b);
         const Coordinates<d> here = places_.at(from);
         Coordinates<d> vector = places_.at(to);
