@@ -6,6 +6,7 @@
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
+#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 
 #include <cstdio>
@@ -52,9 +53,7 @@ int run(const Lloyd_call& a, const std::string& command) {
             const Lloyd_step step = lloyd.step(stars, dt.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
             if (a.frames.any()) frames.frame(i);
-            char news[40];
-            std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
-            progress.show(i, news);
+            progress.show(i, formatted("%.2f %% within tolerance", 100 * tracker.share_within()));
         }
     }
     tracker.finish(command, a.common.seed, since(begin));

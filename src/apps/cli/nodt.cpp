@@ -7,6 +7,7 @@
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
+#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_mesh.h>
@@ -32,10 +33,7 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     double sum = 0;
     for (std::size_t c = 0; c < mesh.cells().vertices.size(); ++c)
         if (mesh.inside()[c] != 0) sum += mesh.kept().moments()[c].volume;
-    char text[80];
-    std::snprintf(text, sizeof text, "At the start the cells of the domain fill %.2f %% of it.",
-                  100 * sum / domain.volume());
-    return text;
+    return formatted("At the start the cells of the domain fill %.2f %% of it.", 100 * sum / domain.volume());
 }
 
 /// Adds to the page the cells of the domain, their dihedral angles, and the vertices on their surface.
@@ -94,9 +92,8 @@ int run(const Nodt_call& a, const std::string& command) {
             tracker.add_motion(since(start));
             tracker.mesh_after(measured(mesh, step));
             if (a.frames.any()) frames.frame(i);
-            char news[40];
-            std::snprintf(news, sizeof news, "%.2f %% within tolerance, ", 100 * tracker.share_within());
-            progress.show(i, news + counted(tracker.record().steps.back().mesh->slivers, "sliver"));
+            progress.show(i, formatted("%.2f %% within tolerance, ", 100 * tracker.share_within()) +
+                                 counted(tracker.record().steps.back().mesh->slivers, "sliver"));
         }
     }
     tracker.finish(command, a.common.seed, since(begin));

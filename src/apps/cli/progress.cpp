@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/progress.h>
 
+#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 
 #include <sys/ioctl.h>
@@ -49,9 +50,7 @@ std::string Progress_line::in(std::size_t columns) const {
     if (!news.empty()) rest += "  " + news;
     std::string line = label + " ";
     if (share) {
-        char percent[16];
-        std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100 * std::clamp(*share, 0.0, 1.0));
-        rest = percent + rest;
+        rest = formatted("%3.0f %%  ", 100 * std::clamp(*share, 0.0, 1.0)) + rest;
         const std::size_t taken = line.size() + rest.size() + 1;
         if (columns >= taken + shortest) line += bar(*share, std::min(longest, columns - taken));
     }
@@ -76,8 +75,7 @@ void Progress::show(std::uint64_t step, const std::string& news, std::optional<d
     drawn_ = now;
     if (!share && steps_ > 0) share = static_cast<double>(step) / static_cast<double>(steps_);
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    char rate[32];
-    std::snprintf(rate, sizeof rate, "%.0f steps/s", seconds > 0 ? static_cast<double>(step) / seconds : 0.0);
+    const std::string rate = formatted("%.0f steps/s", seconds > 0 ? static_cast<double>(step) / seconds : 0.0);
     const Progress_line line{label_,
                              steps_ > 0 ? std::to_string(step) + "/" + std::to_string(steps_) : counted(step, "step"),
                              rate, news, share};

@@ -9,6 +9,7 @@
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
+#include <apps/formats/formatted.h>
 
 #include <cstdio>
 #include <memory>
@@ -139,9 +140,9 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
     try {
         Progress progress("replay", 0, a.common.quiet);
         while (!Interruption_guard::interrupted() && run.next()) {
-            char news[40];
-            std::snprintf(news, sizeof news, "%.2f %% within tolerance", 100 * tracker.share_within());
-            progress.show(tracker.record().iterations, news, motion.reader.share_read());
+            progress.show(tracker.record().iterations,
+                          formatted("%.2f %% within tolerance", 100 * tracker.share_within()),
+                          motion.reader.share_read());
         }
     } catch (const Input_error& error) {
         // An interrupt from a terminal also ends a pipe, because the program at its other end gets the same signal.

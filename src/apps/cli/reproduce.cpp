@@ -9,6 +9,7 @@
 #include <apps/cli/progress.h>
 #include <apps/cli/reproduction_scenes.h>
 #include <apps/cli/result_files.h>
+#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 #include <apps/report/processor.h>
 #include <apps/reproduction/checkpoints.h>
@@ -58,9 +59,7 @@ std::string fingerprint(const std::string& surfaces) {
             sum = ::crc32_z(sum, reinterpret_cast<const unsigned char*>(block.data()),
                             static_cast<std::size_t>(in.gcount()));
     }
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%08lx", sum);
-    return digits;
+    return formatted("%08lx", sum);
 }
 
 /// Everything that the results depend on, except the machine.

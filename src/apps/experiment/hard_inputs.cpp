@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/hard_inputs.h>
+#include <apps/formats/formatted.h>
 
 #include <annulus/error.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
 #include <string>
@@ -32,11 +32,7 @@ std::vector<double> in_order(const std::vector<double>& coordinates, std::size_t
     return sorted;
 }
 
-std::string hexadecimal(double x) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%a", x);
-    return text;
-}
+std::string hexadecimal(double x) { return formatted("%a", x); }
 double number(const nlohmann::ordered_json& json) {
     const std::string text = json.get<std::string>();
     char* end = nullptr;

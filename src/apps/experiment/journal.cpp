@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/journal.h>
+#include <apps/formats/formatted.h>
 
 #include <annulus/error.h>
 
@@ -11,7 +12,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -22,10 +22,7 @@ namespace {
 constexpr std::size_t mark = 9;  // eight digits and a space
 
 std::string mark_of(std::string_view text) {
-    char digits[mark + 1];
-    std::snprintf(digits, sizeof digits, "%08lx ",
-                  ::crc32_z(0, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
-    return digits;
+    return formatted("%08lx ", ::crc32_z(0, reinterpret_cast<const unsigned char*>(text.data()), text.size()));
 }
 /// The text of a complete line.
 bool is_whole(std::string_view line) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/csv_frames.h>
 #include <apps/formats/decimal.h>
+#include <apps/formats/formatted.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -119,9 +119,8 @@ void Csv_frames::take_time(double time, std::uint64_t line) {
                             ", which differ by rounding: rows of one frame would be in two",
                         "the same time in all rows of a frame, or numbers of frames, or --absent-frames skip");
     if (!distances_.are_uneven() || std::exchange(noted_distance_, true)) return;
-    char range[80];
-    std::snprintf(range, sizeof range, "%.6g to %.6g", distances_.least(), distances_.most());
-    note(line, std::string("the times of frames are ") + range + " apart, and each is the next frame");
+    note(line, formatted("the times of frames are %.6g to %.6g apart, and each is the next frame", distances_.least(),
+                         distances_.most()));
 }
 
 /// The number of a frame. The next row has been read.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/formatted.h>
 #include <apps/report/advice.h>
 #include <apps/report/walk_ratios.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace annulus::inline v1 {
 
@@ -12,13 +12,6 @@ namespace {
 
 constexpr double worthwhile = 1.25;  // a gain from which a strategy is advised
 constexpr double aim = 3.0;          // the gain that more frames are to reach
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-    char buffer[400];
-    std::snprintf(buffer, sizeof buffer, format, values...);
-    return buffer;
-}
 
 unsigned long long whole(std::uint64_t n) { return n; }
 
@@ -31,10 +24,11 @@ double traffic_share(const Motion_record& m) {
 Advice far_apart(const Advice_record& r, double s) {
     const double target = walk_pace_of_gain(r.dimension, aim);
     const auto k = static_cast<std::uint64_t>(std::min(std::ceil(s / target), 1e15));
-    return {"rebuild", "far apart", k,
-            text("Rebuild (auto does so by itself here): frames are far apart; written %llu times as often, if points "
-                 "move straight on between them, auto would be expected to be %.0f times as fast as rebuilding.",
-                 whole(k), aim)};
+    return {
+        "rebuild", "far apart", k,
+        formatted("Rebuild (auto does so by itself here): frames are far apart; written %llu times as often, if points "
+                  "move straight on between them, auto would be expected to be %.0f times as fast as rebuilding.",
+                  whole(k), aim)};
 }
 
 }  // namespace
@@ -59,28 +53,30 @@ Advice advice_of(const Advice_record& r) {
     const bool gains = cost * worthwhile <= 1;
     if (m.wrapped)
         return {gains ? "auto" : "rebuild", "wrapped", 1,
-                text("Unwrap the trajectory, or use a periodic triangulation: points "
-                     "jump across the box, which open boundaries take for moves; as it stands, use %s.",
-                     gains ? "auto" : "rebuild")};
+                formatted("Unwrap the trajectory, or use a periodic triangulation: points "
+                          "jump across the box, which open boundaries take for moves; as it stands, use %s.",
+                          gains ? "auto" : "rebuild")};
     if (gains) {
         const bool tolerances = measured && r.prefix.tolerances < 0.9 * cost;
         const double least = tolerances ? r.prefix.tolerances : cost;
         const char* const name = tolerances ? "tolerances" : "auto";
         if (least < 1e-3)
-            return {name, "gain", 1, text("Use %s: a step costs less than a thousandth of a rebuild.", name)};
-        return {name, "gain", 1, text("Use %s: a step costs %.2g rebuilds.", name, least)};
+            return {name, "gain", 1, formatted("Use %s: a step costs less than a thousandth of a rebuild.", name)};
+        return {name, "gain", 1, formatted("Use %s: a step costs %.2g rebuilds.", name, least)};
     }
     if (traffic_share(m) > 0.1)
-        return {"rebuild", "traffic", 1,
-                text("Rebuild: %.0f %% of the points appear or disappear from one frame to the next; check that ids "
-                     "stay the same.",
-                     100 * traffic_share(m))};
+        return {
+            "rebuild", "traffic", 1,
+            formatted("Rebuild: %.0f %% of the points appear or disappear from one frame to the next; check that ids "
+                      "stay the same.",
+                      100 * traffic_share(m))};
     if (s > walk_pace_of_gain(r.dimension, aim)) return far_apart(r, s);
     if (degenerate_share(r) > 0.05)
-        return {"rebuild", "degenerate", 1,
-                text("Rebuild: points move little, but %.0f %% of the bi-cells are degenerate, as in a crystal, and "
-                     "rounding or any motion changes them all the time.",
-                     100 * degenerate_share(r))};
+        return {
+            "rebuild", "degenerate", 1,
+            formatted("Rebuild: points move little, but %.0f %% of the bi-cells are degenerate, as in a crystal, and "
+                      "rounding or any motion changes them all the time.",
+                      100 * degenerate_share(r))};
     return {"rebuild", "costly repair", 1,
             "Rebuild (auto does so by itself here): points move little, but to repair costs as much as to rebuild, as "
             "with points on a sphere or surface."};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <apps/formats/formatted.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/reproduction/benchmark_statistics.h>
 #include <apps/reproduction/claims.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <string>
 #include <utility>
@@ -17,20 +17,10 @@
 namespace annulus::inline v1 {
 
 [[nodiscard]] inline std::string percent(double share) {
-    char text[32];
     const double p = 100 * share;
-    std::snprintf(text, sizeof text,
-                  p != 0 && std::fabs(p) < 0.1 ? "%.2g %%"
-                  : std::fabs(p) < 10          ? "%.1f %%"
-                                               : "%.0f %%",
-                  p);
-    return text;
+    return formatted(p != 0 && std::fabs(p) < 0.1 ? "%.2g %%" : std::fabs(p) < 10 ? "%.1f %%" : "%.0f %%", p);
 }
-[[nodiscard]] inline std::string times(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, x < 10 ? "%.2g" : "%.0f", x);
-    return text;
-}
+[[nodiscard]] inline std::string times(double x) { return formatted(x < 10 ? "%.2g" : "%.0f", x); }
 /// "2.1 to 3.4", or one number.
 [[nodiscard]] inline std::string range(std::vector<double> x, std::string (*word)(double)) {
     if (x.empty()) return "–";
