@@ -80,7 +80,7 @@ std::array<double, 2> worst_facet(const Points_d<d>& x, const Voronoi_clip<d>& c
     const auto diagram = voronoi(mesh, clip);
     std::array<double, 2> worst{};
     for (std::size_t k = 0; k < diagram.pair.size(); ++k) {
-        const auto [i, j] = diagram.pair[k];
+        const Index i = diagram.pair[k][0], j = diagram.pair[k][1];
         double least = 1;
         const auto to = [&](Index v) {
             Coordinates<d> e = x[static_cast<std::size_t>(v)];

@@ -42,7 +42,7 @@ bool are_refused(const Points_d<d>& x, const Mesh_cells<d>& cells) {
 }  // namespace
 
 TEST_CASE("A Voronoi vertex that cells have in common is one", "[measure][voronoi]") {
-    const Points_3 cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    const Points_d<3> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
     const Moving_mesh<3> mesh{std::span<const Coordinates<3>>(cube)};
     const auto diagram = voronoi(mesh);
     for (std::size_t c = 0; c < diagram.vertex.size(); ++c) {
