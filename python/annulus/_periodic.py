@@ -234,8 +234,8 @@ class PeriodicDelaunay:
 
     @property
     def strategy(self) -> str:
-        """str: ``rebuild``."""
-        return "rebuild"
+        """str: ``auto``, also where ``rebuild`` was given: a move flips, and rebuilds where that would cost more."""
+        return "auto"
 
     def __getattr__(self, name: str) -> typing.Any:
         if name in _MISSING:

@@ -68,7 +68,7 @@ def test_simplices_with_offsets_are_positive_fill_the_box_and_meet(d):
             other = dt.points[dt.simplices[m]] + (dt.simplex_offsets[m] + moved[c, k]) @ dt.box
             common = [p for p in corners[c] if np.any(np.all(np.isclose(other, p), axis=1))]
             assert len(common) == d
-    assert (dt.ndim, dt.npoints, dt.nvertices, dt.strategy) == (d, 30, 30, "rebuild")
+    assert (dt.ndim, dt.npoints, dt.nvertices, dt.strategy) == (d, 30, 30, "auto")
 
 
 def test_moves_change_points_and_box_and_failed_ones_change_nothing():
