@@ -327,6 +327,31 @@ class Nodt(tool.ToolTest):
                         self.assertEqual({k: tuple(v) for k, v in mesh.field_data.items()},
                                          {"domain": (1, 3), "surface": (2, 2)})
 
+    def test_finish(self):
+        words = ("--sphere", "--vertices", "500", "--iterations", "8")
+        self.nodt(*words)
+        alone, (_, _, surface) = self.summary("out"), self.part()
+        self.nodt(*words, "--finish", "--audit", "3")
+        summary = self.summary("out")
+        self.assertEqual(summary["iterations"], 9)
+        self.assertEqual(summary["audit"], {"checked": 3, "failed": 0})
+        self.assertEqual(len(self.rows()), 9)
+        self.assertEqual(float(self.rows()[7]["dihedral_min"]), alone["mesh"]["after"]["dihedral_min"])
+        self.assertGreater(summary["mesh"]["after"]["dihedral_min"], alone["mesh"]["after"]["dihedral_min"] + 3)
+        self.assertEqual(summary["mesh"]["after"]["boundary"], alone["mesh"]["after"]["boundary"])
+        self.assertEqual(len(self.part()[2]), len(surface))
+        self.check_mesh(4 * math.pi / 3, 0.08)
+        self.assertIn("The last step is --finish", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+        first = self.part()
+        self.nodt(*words, "--finish", "--strategy", "rebuild", "--threads", "2")
+        self.assertEqual(self.part(), first)
+
+    def test_finish_keeps_sharp_edges(self):
+        self.write("cube.off", CUBE)
+        self.nodt("--surface", "cube.off", "--vertices", "300", "--iterations", "3", "--sharp", "40", "--finish")
+        points = set(self.tetrahedra("final.mesh")[0])
+        self.assertLessEqual({(float(x), float(y), float(z)) for x in (0, 2) for y in (0, 1) for z in (0, 1)}, points)
+
     def test_no_iterations(self):
         self.nodt("--sphere", "--vertices", "60", "--iterations", "0")
         mesh = self.summary("out")["mesh"]
@@ -371,6 +396,20 @@ class Nodt(tool.ToolTest):
     @SHORT
     def test_bunny(self):
         self.surface_of_paper("bunny00.off", 1500, 0.1992055537376969, 0.05)
+
+    @SHORT
+    def test_finish_of_the_bunny(self):
+        """The angles that docs/tool.md states: 3.28 and 15.20 degrees with CGAL 5.5."""
+        words = ("--surface", Path(tool.OPTIONS["meshes"]) / "bunny00.off", "--vertices", "2000", "--iterations", "20")
+        self.nodt(*words, "--quiet")
+        before = self.summary("out")["mesh"]["after"]
+        self.assertLess(before["dihedral_min"], 8)
+        self.nodt(*words, "--finish", "--quiet")
+        after = self.summary("out")
+        self.assertGreater(after["mesh"]["after"]["dihedral_min"], 8)
+        self.assertEqual(after["mesh"]["after"]["boundary"], before["boundary"])
+        self.assertEqual(after["audit"], {"checked": 1, "failed": 0})
+        self.check_mesh(0.1992055537376969, 0.04)
 
     @SHORT
     def test_man(self):

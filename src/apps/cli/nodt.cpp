@@ -2,6 +2,7 @@
 #include <apps/cli/companion.h>
 #include <apps/cli/domain_files.h>
 #include <apps/cli/files.h>
+#include <apps/cli/finishing.h>
 #include <apps/cli/mesh_3.h>
 #include <apps/cli/nodt_scene.h>
 #include <apps/cli/progress.h>
@@ -23,6 +24,7 @@ struct Nodt_call {
     Tracking_arguments tracking;
     Nodt_arguments nodt;
     Frame_arguments frames;
+    bool finish = false;
     std::vector<std::string> formats;  ///< of the domain, beside those that are always written
 };
 
@@ -45,8 +47,8 @@ int run(const Nodt_call& a, const std::string& command) {
     if (files) require_writable(a.common);
     Nodt_scene scene = make_scene(a.nodt, a.common.seed);
     const Domain_3& domain = *scene.domain;
-    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
-                      files);
+    const std::uint64_t steps = a.nodt.iterations + (a.finish ? 1 : 0);
+    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), steps, a.tracking.audit, files);
     Mesh_3 mesh;
     mesh.read(tracker.triangulation(), true, domain, a.common.threads);
     scene.require_cells(a.nodt, mesh.inside());
@@ -80,6 +82,20 @@ int run(const Nodt_call& a, const std::string& command) {
             progress.show(i, news + counted(tracker.record().steps.back().mesh->slivers, "sliver"));
         }
     }
+    if (a.finish && !Interruption_guard::interrupted()) {
+        auto start = Clock::now();
+        const Finishing finishing(scene, tracker.triangulation(), a.common.quiet);
+        if (!Interruption_guard::interrupted()) {  // else it is dropped: a step is done or it is not
+            tracker.step(finishing.position(), since(start), finishing.mean_displacement(),
+                         finishing.max_displacement());
+            start = Clock::now();
+            mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
+            tracker.add_motion(since(start));
+            tracker.mesh_after(measured(mesh, {}));
+            if (a.frames.any()) frames.frame(steps);
+            scene.notes.push_back(finishing.note());
+        }
+    }
     const Domain_files optimised(mesh);
     tracker.worst_cells(optimised.worst());
     tracker.finish(command, a.common.seed, since(begin));
@@ -92,7 +108,7 @@ int run(const Nodt_call& a, const std::string& command) {
         write_run(a.common, tracker, std::move(page));
     }
     if (tracker.record().interrupted) {
-        say_interrupted(a.common, tracker.record().iterations, a.nodt.iterations);
+        say_interrupted(a.common, tracker.record().iterations, steps);
         return done;
     }
     if (!a.common.quiet) {
@@ -109,6 +125,7 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("nodt", nodt_summary);
     const auto a = std::make_shared<Nodt_call>();
     add_nodt(*sub, a->nodt);
+    add_finish(*sub, a->finish);
     add_domain_formats(*sub, a->formats);
     add_tracking(*sub, a->tracking);
     add_frames(*sub, a->frames);
