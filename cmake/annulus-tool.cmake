@@ -56,7 +56,8 @@ function(annulus_program target library)
 endfunction()
 
 file(GLOB annulus_cli_sources CONFIGURE_DEPENDS src/apps/cli/*.cpp)
-set(annulus_nodt_sources src/apps/cli/nodt.cpp src/apps/cli/nodt_main.cpp)
+set(annulus_nodt_sources src/apps/cli/domain_files.cpp src/apps/cli/finishing.cpp src/apps/cli/nodt.cpp
+    src/apps/cli/nodt_main.cpp)
 set(annulus_sweep_sources src/apps/cli/sweep.cpp src/apps/cli/sweep_main.cpp)
 set(annulus_reproduce_sources src/apps/cli/reproduce.cpp src/apps/cli/reproduce_main.cpp
     src/apps/cli/reproduction_scenes.cpp)
@@ -66,7 +67,7 @@ set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
 /(compare|files|frame_files|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|replay_scene|tracker)[.]cpp$")
 list(FILTER annulus_cli_sources EXCLUDE REGEX "/(nodt|sweep|reproduce|nodt_main|sweep_main|reproduce_main|\
-reproduction_scenes|guided_nodt|nodt_scene)[.]cpp$")
+reproduction_scenes|guided_nodt|nodt_scene|domain_files|finishing)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})
 
 add_library(annulus-scenes STATIC EXCLUDE_FROM_ALL ${annulus_scene_sources})

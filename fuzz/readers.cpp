@@ -256,6 +256,7 @@ constexpr Kind kinds[] = {
     {".csv", named},                          // W
     {".csv", any_order},                      // X
     {".txt", motion<Absent_frames::skip>},    // Y
+    {".ppm", picture},                        // Z
 };
 constexpr unsigned packed_bytes = 15;
 

@@ -90,6 +90,22 @@ TEST_CASE("PGM of all kinds is read", "[formats][image]") {
     CHECK(read("a.pgm", std::string("P5 1 1 255\n#", 12)).value == Values{'#'});
 }
 
+TEST_CASE("PPM is read as luma", "[formats][image]") {
+    const Values grey{54, 182, 18, 255};  // of pure red, green, blue, and white: 0.2126, 0.7152, 0.0722 times 255
+    const Gray_image plain = read("a.ppm", "P3\n2 2\n255\n255 0 0 0 255 0 # two\n0 0 255 255 255 255\n");
+    CHECK(plain.width == 2);
+    CHECK(plain.height == 2);
+    CHECK(plain.white == 255);
+    CHECK(plain.value == grey);
+    const std::string four("\377\0\0\0\377\0\0\0\377\377\377\377", 12);
+    CHECK(read("a.PPM", "P6 4 1 255\n" + four).value == grey);
+    CHECK(read("a.ppm.gz", gzip("P6 1 1 65535\n\1\2\1\2\1\2")).value == Values{258});
+    refuse("a.ppm", "P5\n1 1\n255\na", 1, "begins with");
+    refuse("a.ppm", "P6\n1 1\n255\nab", 4, "2 bytes");
+    refuse("a.ppm", "P6\n2 1\n9\n\1\2\3\4\5\12", 4, "pixel 2 is 10");
+    refuse("a.ppm", "P3\n1 1\n9\n1 2", 3, "too short");
+}
+
 TEST_CASE("PGM that is none is refused where it goes wrong", "[formats][image]") {
     refuse("a.pgm", "", 1, "empty");
     refuse("a.pgm", "P6\n1 1\n255\nabc", 1, "begins with");

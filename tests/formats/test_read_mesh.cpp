@@ -98,11 +98,13 @@ TEST_CASE("a part of a mesh is written with its boundary and no other points") {
     const std::vector<Coordinates<3>> points{{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {0, 0, 1}};
     const std::vector<std::array<Index, 4>> cells{{1, 2, 4, 5}};
     const std::vector<std::array<Index, 3>> facets{{2, 4, 5}, {1, 5, 4}, {1, 2, 5}, {1, 4, 2}};
-    CHECK(write_part(points, cells, facets) ==
+    CHECK(write_mesh(mesh_part(points, cells, facets)) ==
           "MeshVersionFormatted 2\nDimension 3\n\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n\n"
           "Triangles\n4\n2 3 4 0\n1 4 3 0\n1 2 4 0\n1 3 2 0\n\nTetrahedra\n1\n1 2 3 4 0\n\nEnd\n");
-    CHECK(write_part(points, {}, {}) ==
+    CHECK(write_mesh(mesh_part(points, {}, {})) ==
           "MeshVersionFormatted 2\nDimension 3\n\nVertices\n0\n\nTriangles\n0\n\nTetrahedra\n0\n\nEnd\n");
     const std::vector<std::array<Index, 4>> wrong{{1, 2, 4, 6}};
-    CHECK_THROWS_AS(write_part(points, wrong, facets), Error);
+    CHECK_THROWS_AS(mesh_part(points, wrong, facets), Error);
+    const std::vector<std::array<Index, 3>> stray{{0, 1, 2}};
+    CHECK_THROWS_AS(mesh_part(points, cells, stray), Error);
 }

@@ -148,18 +148,34 @@ TEST_CASE("faces that are wrong are refused with their line", "[io][surface]") {
     refuse("a.xyz", "0 0 0\n", 0, "unknown extension");
 }
 
-TEST_CASE("for a PLY with strips of triangles as faces the error says what faces are", "[io][surface]") {
-    const Temporary_directory directory;
-    const auto file = directory.file("tristrips.ply",
-                                     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
-                                     "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
-                                     "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n6 0 2 1 3 0 2\n");
-    expect_fault(file, 1, "has no faces", [](const auto& f) {
-        try {
-            (void)read_surface(f);
-        } catch (const Input_error& error) {
-            CHECK(error.expected().find("the element face, not tristrips") != std::string::npos);
-            throw;
-        }
-    });
+TEST_CASE("strips of triangles of a PLY become triangles", "[io][surface]") {
+    const std::string points =
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\n"
+        "property list int int vertex_indices\nend_header\n";
+    const std::string ascii = "ply\nformat ascii 1.0\n" + points + "0 0 0\n1 0 0\n0 1 0\n0 0 0.5\n";
+    // One strip; two that -1 parts; two that repeated corners join.
+    check_tetrahedron(accept("a.ply", ascii + "6 0 2 1 3 0 2\n"));
+    check_tetrahedron(accept("a.ply", ascii + "9 0 2 1 3 -1 1 3 0 2\n"));
+    check_tetrahedron(accept("a.ply", ascii + "12 -1 0 2 1 3 3 1 1 3 0 2 -1\n"));
+    const Surface_file strip = accept("a.ply", ascii + "6 0 2 1 3 0 2\n");
+    // Points are numbered as the strip names them: 0, 2, 1, 3 are 0, 1, 2, 3.
+    CHECK(strip.surface.triangles == std::vector<std::array<Index, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 0}, {0, 3, 1}});
+    for (const bool big : {false, true}) {
+        std::string binary = std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian 1.0\n" + points;
+        const auto put = [&](auto value) {
+            char bytes[4];
+            std::memcpy(bytes, &value, 4);
+            if (big == (std::endian::native == std::endian::little)) std::reverse(bytes, bytes + 4);
+            binary.append(bytes, 4);
+        };
+        for (const auto& p : corners)
+            for (const double x : p) put(static_cast<float>(x));
+        for (const std::int32_t i : {9, 0, 2, 1, 3, -1, 1, 3, 0, 2}) put(i);
+        check_tetrahedron(accept("a.ply", binary));
+    }
+    refuse("a.ply", ascii + "3 0 2 -2\n", 14, "the index of a vertex");
+    refuse("a.ply", ascii + "3 0 2 9\n", 14, "9");
+    refuse("a.ply", ascii + "9 0 2 1 3 18446744073709551615 1 3 0 2\n", 14, "");
+    refuse("a.ply", ascii + "2 0 2\n", 1, "has no faces");
+    refuse("a.ply", ascii + "4 0 2 1 3\n", 14, "");
 }

@@ -60,6 +60,7 @@ class Kinds(ToolTest):
                               ("a.inr", ["nodt", "-n", "50", "--surface"]),
                               ("a.png", ["lloyd", "-n", "50", "--density"]),
                               ("a.pgm", ["lloyd", "-n", "50", "--density"]),
+                              ("a.ppm", ["lloyd", "-n", "50", "--density"]),
                               ("c.xyz", ["lloyd", "-n", "50", "--domain"]), ("a.toml", ["sweep", "--output", "out"])):
             os.symlink("/dev/zero", self.here / name)
             self.assertIn(f"{name}: is a device", self.refuse(3, *command, name))

@@ -74,6 +74,21 @@ class Inputs(ToolTest):
             self.write(name, image if name == "A.INR" else gzip.compress(image))
             self.succeed("nodt", "--surface", name, "--vertices", "30", "--iterations", "1")
 
+    def test_surface_of_strips(self):
+        """The faces of a tetrahedron in the order in which a strip has them are the same surface."""
+        points = "".join(f"{x} {y} {z}\n" for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)))
+        head = "ply\nformat ascii 1.0\nelement vertex 4\n" + "".join(f"property float {c}\n" for c in "xyz")
+        lists = " {}\nproperty list uchar int vertex_indices\nend_header\n" + points
+        meshes = set()
+        for element, records in (("face 4", "3 0 2 1\n3 1 2 3\n3 1 3 0\n3 0 3 2\n"), ("tristrips 1", "6 0 2 1 3 0 2\n"),
+                                 ("tristrips 1", "9 0 2 1 3 -1 1 3 0 2\n")):
+            self.write("a.ply", head + "element" + lists.format(element) + records)
+            self.succeed("nodt", "--surface", "a.ply", "--vertices", "30", "--iterations", "1", "--output", "out")
+            meshes.add((self.here / "out" / "domain.mesh").read_bytes())
+        self.assertEqual(len(meshes), 1)
+        self.write("a.ply", head + "element" + lists.format("tristrips 1") + "5 0 2 1 3 0\n")
+        self.assertIn("a.ply", self.refuse(3, "nodt", "--surface", "a.ply", "--vertices", "30"))
+
     def test_packed(self):
         rows = "".join(f"{x} {y}\n" for x, y in SPREAD).encode()
         self.assertEqual(self.vertices_of(self.write("a.xyz.gz", gzip.compress(rows))), 5)

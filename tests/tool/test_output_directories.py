@@ -26,7 +26,8 @@ class Directories(ToolTest):
     def test_stale_results_do_not_survive(self):
         self.succeed("nodt", "--sphere", "--vertices", "60", "--iterations", "1", "--output", "out", "--quiet")
         self.succeed("audit", "out/final.mesh", "--output", "out", "--quiet")  # removes only the run's files
-        self.assertEqual(self.names(), RUN_FILES | {"domain.mesh", "dihedral.csv", "audit.json"})
+        self.assertEqual(self.names(), RUN_FILES | {"domain.mesh", "domain.vtu", "dihedral.csv", "quality.csv",
+                                                    "audit.json"})
         self.succeed("compare", "--output", "out", "--quiet", "--", *self.RUN)
         self.assertNotIn("domain.mesh", self.names())
         self.assertNotIn("summary.json", self.names())

@@ -24,6 +24,8 @@ class Stipples(ToolTest):
         super().setUp()
         rows = [bytes(tone(i, j) for i in range(WIDTH)) for j in range(HEIGHT)]
         (self.here / "a.pgm").write_bytes(b"P5\n%d %d\n255\n" % (WIDTH, HEIGHT) + b"".join(rows))
+        (self.here / "a.ppm").write_bytes(b"P6\n%d %d\n255\n" % (WIDTH, HEIGHT) +
+                                          b"".join(bytes(v for v in row for _ in range(3)) for row in rows))
 
         def chunk(name, data):
             return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
@@ -57,11 +59,12 @@ class Stipples(ToolTest):
             self.assertLess(math.hypot(x - u, y - (HEIGHT - v)), 0.08 * r)
         self.assertTrue(all(0 <= x <= WIDTH and 0 <= y <= HEIGHT for x, y, _ in dots))
 
-    def test_png_and_pgm_and_threads_make_no_difference(self):
+    def test_format_and_threads_make_no_difference(self):
         text, _ = self.stipple()
         for words in (["--threads", "3"], ["--strategy", "rebuild"]):
             self.assertEqual(self.stipple(*words)[0], text)
-        self.assertEqual(self.stipple(name="a.png")[0], text)
+        for name in ("a.png", "a.ppm"):
+            self.assertEqual(self.stipple(name=name)[0], text)
         self.assertNotEqual(self.stipple("--seed", "2")[0], text)
 
     def test_inverted(self):
@@ -92,12 +95,14 @@ class Stipples(ToolTest):
         (self.here / "white.pgm").write_bytes(b"P5 2 2 255\n" + b"\xff" * 4)
         (self.here / "short.png").write_bytes((self.here / "a.png").read_bytes()[:80])
         (self.here / "vast.pgm").write_bytes(b"P5 60000 60000 255\n")
-        for name in ("missing.png", "white.pgm", "short.png", "vast.pgm"):
+        (self.here / "short.ppm").write_bytes((self.here / "a.ppm").read_bytes()[:80])
+        for name in ("missing.png", "white.pgm", "short.png", "short.ppm", "vast.pgm"):
             with self.subTest(name=name):
                 self.assertIn(name, self.refuse(3, "lloyd", "--points", "50", "--density", name, "--output", "none"))
-        for name in ("a.jpg", "a.ppm"):
+        for name in ("a.gif", "a.pnm"):
             with self.subTest(name=name):
-                self.assertIn("no picture (.png, .pgm)", self.refuse(2, "lloyd", "--points", "50", "--density", name))
+                self.assertIn("no picture (.png, .pgm, .ppm)",
+                              self.refuse(2, "lloyd", "--points", "50", "--density", name))
         self.assertFalse((self.here / "none").exists())
 
 

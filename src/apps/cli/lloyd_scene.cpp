@@ -32,7 +32,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
     add_open(app, a.open);
     app.add_option("--density", a.density,
-                   "Density of the centroids that points move to, or a picture, .png or .pgm, which\n"
+                   "Density of the centroids that points move to, or a picture, .png, .pgm or .ppm, which\n"
                    "is stippled: dense where it is dark")
         ->type_name("FILE:{one,x2+y2,x2,sin2}")
         ->check([](const std::string& word) {
@@ -40,7 +40,7 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                                            [&](Density d) { return name_of(d) == word; });
             return known || is_gray_image(word)
                        ? std::string()
-                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm)";
+                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm, .ppm)";
         })
         ->capture_default_str();
     app.add_flag("--invert", a.invert, "For a picture: dense where it is bright");
@@ -118,9 +118,10 @@ void require_rings_to_be_few(Density density, const Domain_2& domain) {
 /// The picture, if --density names one.
 std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
     if (!is_gray_image(a.density)) {
-        if (a.invert) throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png or FILE.pgm");
+        if (a.invert)
+            throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png, FILE.pgm or FILE.ppm");
         if (a.dots != "equal")
-            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png or FILE.pgm");
+            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png, FILE.pgm or FILE.ppm");
         return {};
     }
     if (!a.domain.empty() || a.radius != 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/companion.h>
+#include <apps/cli/domain_files.h>
 #include <apps/cli/files.h>
+#include <apps/cli/finishing.h>
 #include <apps/cli/mesh_3.h>
 #include <apps/cli/nodt_scene.h>
 #include <apps/cli/progress.h>
@@ -9,11 +11,7 @@
 #include <apps/cli/tracker.h>
 #include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
-#include <apps/formats/write_csv.h>
-#include <apps/formats/write_mesh.h>
-#include <apps/motion/mesh_quality.h>
 #include <apps/motion/nodt_3.h>
-#include <apps/report/summary.h>
 
 #include <cstdio>
 #include <memory>
@@ -27,6 +25,8 @@ struct Nodt_call {
     Tracking_arguments tracking;
     Nodt_arguments nodt;
     Frame_arguments frames;
+    bool finish = false;
+    std::vector<std::string> formats;  ///< of the domain, beside those that are always written
 };
 
 std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
@@ -36,34 +36,17 @@ std::string filled(const Mesh_3& mesh, const Domain_3& domain) {
     return formatted("At the start the cells of the domain fill %.2f %% of it.", 100 * sum / domain.volume());
 }
 
-/// Adds to the page the cells of the domain, their dihedral angles, and the vertices on their surface.
-void add_domain(Run_page<Moving_mesh_3>& page, const Mesh_3& mesh, const Run_record& run) {
-    page.cells = mesh.cells().vertices;
-    std::vector<std::array<Index, 4>> inside;
-    std::vector<std::int64_t> flag, boundary(mesh.points().size(), 0);
-    for (std::size_t c = 0; c < page.cells.size(); ++c) {
-        flag.push_back(mesh.inside()[c] != 0 ? 1 : 0);
-        if (mesh.inside()[c] != 0) inside.push_back(page.cells[c]);
-    }
-    const auto facets = surface_facets(mesh.cells(), mesh.inside());
-    for (const auto& facet : facets)
-        for (const Index v : facet) boundary[static_cast<std::size_t>(v)] = 1;
-    page.point_fields.push_back({"boundary", std::move(boundary)});
-    page.cell_fields.push_back({"domain", std::move(flag)});
-    page.files.emplace_back("dihedral.csv", write_csv(dihedral_table(run)));
-    page.files.emplace_back("domain.mesh", write_part(mesh.points(), inside, facets));
-}
-
 int run(const Nodt_call& a, const std::string& command) {
     const auto begin = Clock::now();
     Options options = options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
+    check_domain_formats(a.formats, a.common);
     const bool files = !a.common.output.empty();
     if (files) require_writable(a.common);
     Nodt_scene scene = make_scene(a.nodt, a.common.seed);
     const Domain_3& domain = *scene.domain;
-    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.nodt.iterations, a.tracking.audit,
-                      files);
+    const std::uint64_t steps = a.nodt.iterations + (a.finish ? 1 : 0);
+    Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), steps, a.tracking.audit, files);
     Mesh_3 mesh;
     mesh.read(tracker.triangulation(), true, domain, a.common.threads);
     scene.require_cells(a.nodt, mesh.inside());
@@ -96,9 +79,25 @@ int run(const Nodt_call& a, const std::string& command) {
                                  counted(tracker.record().steps.back().mesh->slivers, "sliver"));
         }
     }
+    if (a.finish && !Interruption_guard::interrupted()) {
+        auto start = Clock::now();
+        const Finishing finishing(scene, tracker.triangulation(), a.common.quiet);
+        if (!Interruption_guard::interrupted()) {  // else it is dropped: a step is done or it is not
+            tracker.step(finishing.position(), since(start), finishing.mean_displacement(),
+                         finishing.max_displacement());
+            start = Clock::now();
+            mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
+            tracker.add_motion(since(start));
+            tracker.mesh_after(measured(mesh, {}));
+            if (a.frames.any()) frames.frame(steps);
+            scene.notes.push_back(finishing.note());
+        }
+    }
+    const Domain_files optimised(mesh);
+    tracker.worst_cells(optimised.worst());
     tracker.finish(command, a.common.seed, since(begin));
     if (files) {
-        add_domain(page, mesh, tracker.record());
+        optimised.add_to(page, tracker.record(), a.formats);
         page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"), axis);
         page.notes = scene.notes;
         page.figures = frame_figures(frames.records(), tracker.record(), false);
@@ -106,11 +105,12 @@ int run(const Nodt_call& a, const std::string& command) {
         write_run(a.common, tracker, std::move(page));
     }
     if (tracker.record().interrupted) {
-        say_interrupted(a.common, tracker.record().iterations, a.nodt.iterations);
+        say_interrupted(a.common, tracker.record().iterations, steps);
         return done;
     }
     if (!a.common.quiet) {
         print_summary(tracker);
+        print_worst(tracker.record());
         if (files) std::printf("written to     %s\n", a.common.output.c_str());
     }
     return tracker.record().audit.failed == 0 ? done : audit_failed;
@@ -122,10 +122,13 @@ Run add_nodt_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("nodt", nodt_summary);
     const auto a = std::make_shared<Nodt_call>();
     add_nodt(*sub, a->nodt);
+    add_finish(*sub, a->finish);
+    add_domain_formats(*sub, a->formats);
     add_tracking(*sub, a->tracking);
     add_frames(*sub, a->frames);
     add_common(*sub, a->common,
-               "summary.json, iterations.csv, final.mesh, final.vtu, domain.mesh, dihedral.csv and report.html");
+               "summary.json, iterations.csv, final.mesh, final.vtu, domain.mesh, domain.vtu, quality.csv, "
+               "dihedral.csv and report.html");
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus::inline v1::cli {
@@ -56,6 +57,8 @@ class Tracker {
     /// Set the quality of the mesh before the first step, and after the last step.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
     void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
+    /// Sets the cells with the least dihedral angles at the end.
+    void worst_cells(std::vector<Worst_cell> cells) { record_.worst = std::move(cells); }
     /// Adds to the time of the motion in the last step.
     void add_motion(double seconds);
     /// Completes the record at the end of the run.

@@ -27,6 +27,7 @@ constexpr std::array all_names{
     Names{Format::mesh, "mesh", {".mesh"}},
     Names{Format::inr, "inr", {".inr"}},
     Names{Format::pgm, "pgm", {".pgm"}},
+    Names{Format::ppm, "ppm", {".ppm"}},
     Names{Format::png, "png", {".png"}},
 };
 

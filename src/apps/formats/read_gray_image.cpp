@@ -16,7 +16,11 @@ bool is_gray_image(const std::filesystem::path& file) {
 Gray_image read_gray_image(const std::filesystem::path& file) {
     const Format format = format_of(file, picture_formats);
     const Source source = load_file(file, most_of_a_pipe);
-    return format == Format::png ? read_png(source) : read_pgm(source);
+    return format == Format::png ? read_png(source) : read_pnm(source, format == Format::ppm);
+}
+
+std::uint16_t luma(std::uint64_t red, std::uint64_t green, std::uint64_t blue) {
+    return static_cast<std::uint16_t>((2126 * red + 7152 * green + 722 * blue + 5000) / 10000);
 }
 
 void set_size(Gray_image& image, std::uint64_t width, std::uint64_t height, const std::string& name,

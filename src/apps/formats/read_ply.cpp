@@ -3,6 +3,7 @@
 #include <apps/formats/point_formats.h>
 #include <apps/formats/surface_formats.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -13,6 +14,35 @@ namespace {
 bool is_face_list(const Ply_element& element, const Ply_property& property) {
     return element.name == "face" && property.is_list &&
            (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Triangle strips, as those of Stanford's scans: -1 ends one.
+bool is_strip_list(const Ply_element& element, const Ply_property& property) {
+    return element.name == "tristrips" && property.is_list &&
+           (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+constexpr std::uint64_t end_of_strip = ~std::uint64_t{0};
+
+/// -1, or the index of a vertex.
+std::uint64_t strip_entry(const Line_reader& reader, std::string_view text) {
+    if (text == "-1") return end_of_strip;
+    return std::min(reader.whole(text, "the index of a vertex"), end_of_strip - 1);  // both are too large
+}
+
+/// Adds the triangles of strips, of which every other one has its first two corners exchanged; those with a corner
+/// twice, by which strips are joined, are left out.
+void append_strips(const std::vector<std::uint64_t>& strips, std::uint64_t line, Raw_faces& faces) {
+    std::size_t length = 0;  // of the strip so far
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+        length = strips[i] == end_of_strip ? 0 : length + 1;
+        if (length < 3) continue;
+        const std::uint64_t a = strips[i - 2], b = strips[i - 1], c = strips[i];
+        if (a == b || b == c || c == a) continue;
+        const bool turned = length % 2 == 0;
+        faces.corners.insert(faces.corners.end(), {turned ? b : a, turned ? a : b, c});
+        faces.close(line);
+    }
 }
 
 /// Adds one vertex, given the values of all its properties.
@@ -26,13 +56,14 @@ void append_vertex(const Ply_vertex_columns& columns, const std::vector<double>&
 void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_columns& columns, Raw_points& raw,
                 Raw_faces* faces) {
     std::vector<double> values;
+    std::vector<std::uint64_t> strips;
     for (const Ply_element& element : header.elements) {
         if (element.properties.empty()) continue;
         const bool is_vertex = element.name == "vertex";
         if (is_vertex) raw.points.reserve(reader.room_for(element.count, 4, "vertices"));
         for (std::uint64_t i = 0; i < element.count; ++i) {
             reader.require_record(i, element.count, element.name + " records");
-            const bool is_face = faces != nullptr && element.name == "face";
+            const bool is_face = faces != nullptr && (element.name == "face" || element.name == "tristrips");
             if (!is_vertex && !is_face) continue;
             const auto& fields = reader.fields();
             values.clear();
@@ -51,11 +82,15 @@ void read_ascii(Line_reader& reader, const Ply_header& header, const Ply_vertex_
                 }
                 const std::uint64_t length = reader.whole(field, "the length of " + property.name);
                 const bool wanted = is_face && is_face_list(element, property);
+                const bool in_strips = is_face && is_strip_list(element, property);
+                strips.clear();
                 for (std::uint64_t k = 0; k < length; ++k) {
                     const std::string_view index = take(property.name);
                     if (wanted) faces->corners.push_back(reader.whole(index, "the index of a vertex"));
+                    if (in_strips) strips.push_back(strip_entry(reader, index));
                 }
                 if (wanted) faces->close(reader.number());
+                if (in_strips) append_strips(strips, reader.number(), *faces);
                 values.push_back(0.);
             }
             if (next != fields.size())
@@ -107,10 +142,14 @@ class Binary_reader {
         skip(length_of(property) * ply_size(property.type));
     }
 
-    /// The corners of a face.
-    void read_list(const Ply_property& property, std::vector<std::uint64_t>& corners) {
+    /// The corners of a face, or of strips, in which -1 ends one.
+    void read_list(const Ply_property& property, bool in_strips, std::vector<std::uint64_t>& corners) {
         for (std::uint64_t left = length_of(property); left > 0; --left) {
             const double index = scalar(property.type);
+            if (in_strips && index == -1) {
+                corners.push_back(end_of_strip);
+                continue;
+            }
             if (!(index >= 0 && index < 0x1p32 && index == std::floor(index)))
                 fail("the index of a vertex is not an integer of 0 or more", "an integer of 0 or more");
             corners.push_back(static_cast<std::uint64_t>(index));
@@ -135,6 +174,7 @@ void read_binary(const Source& source, std::string_view bytes, const Ply_header&
                  const Ply_vertex_columns& columns, Raw_points& raw, Raw_faces* faces) {
     Binary_reader reader(source.name, bytes, header.format == Ply_format::binary_big_endian);
     std::vector<double> values;
+    std::vector<std::uint64_t> strips;
     for (const Ply_element& element : header.elements) {
         if (element.properties.empty()) continue;
         reader.enter(element, 1);
@@ -151,8 +191,12 @@ void read_binary(const Source& source, std::string_view bytes, const Ply_header&
             for (const Ply_property& property : element.properties) {
                 if (property.is_list) {
                     if (faces != nullptr && is_face_list(element, property)) {
-                        reader.read_list(property, faces->corners);
+                        reader.read_list(property, false, faces->corners);
                         faces->close(i);
+                    } else if (faces != nullptr && is_strip_list(element, property)) {
+                        strips.clear();
+                        reader.read_list(property, true, strips);
+                        append_strips(strips, i, *faces);
                     } else {
                         reader.skip_list(property);
                     }

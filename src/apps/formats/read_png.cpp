@@ -79,9 +79,7 @@ std::uint16_t gray(const std::uint8_t* at, std::size_t channels, std::size_t byt
         return bytes == 1 ? at[k] : std::uint64_t{256} * at[2 * k] + at[2 * k + 1];
     };
     const std::uint64_t white = bytes == 1 ? 255 : 65535;
-    // Luma of ITU-R BT.709.
-    const std::uint64_t value =
-        channels < 3 ? sample(0) : (2126 * sample(0) + 7152 * sample(1) + 722 * sample(2) + 5000) / 10000;
+    const std::uint64_t value = channels < 3 ? sample(0) : luma(sample(0), sample(1), sample(2));
     if (channels % 2 == 1) return static_cast<std::uint16_t>(value);
     const std::uint64_t opacity = sample(channels - 1);
     return static_cast<std::uint16_t>((value * opacity + white * (white - opacity) + white / 2) / white);

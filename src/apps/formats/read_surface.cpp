@@ -81,7 +81,7 @@ Surface_file read_surface(const std::filesystem::path& file) {
         throw Input_error(Error_code::bad_input, source.name, line, std::move(fault), std::move(expected));
     };
     if (faces.size() == 0)
-        fail(1, "has no faces", "a closed surface, its faces one by one (in PLY the element face, not tristrips)");
+        fail(1, "has no faces", "a closed surface, its faces one by one (in PLY the element face, or tristrips)");
 
     Numbering number(raw, surface);
     std::vector<std::uint64_t> lines;

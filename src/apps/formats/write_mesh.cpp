@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <type_traits>
-#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -68,30 +66,10 @@ std::string write_mesh(std::span<const Coordinates<d>> points,
     return out += tail;
 }
 
-std::string write_part(std::span<const Coordinates<3>> points, std::span<const std::array<Index, 4>> cells,
-                       std::span<const std::array<Index, 3>> boundary) {
-    std::vector<Index> number(points.size(), none);
-    for (const auto& c : cells)
-        for (const Index v : c) {
-            if (v < 0 || static_cast<std::size_t>(v) >= points.size())
-                throw Error(Error_code::unknown_vertex, "write_part: a cell names no point");
-            number[static_cast<std::size_t>(v)] = 0;
-        }
-    std::vector<Coordinates<3>> used;
-    for (std::size_t v = 0; v < number.size(); ++v) {
-        if (number[v] == none) continue;
-        number[v] = static_cast<Index>(used.size());
-        used.push_back(points[v]);
-    }
-    const auto numbered = [&](const auto& given) {
-        std::vector<std::remove_cvref_t<decltype(given[0])>> result(given.begin(), given.end());
-        for (auto& c : result)
-            for (Index& v : c) v = number[static_cast<std::size_t>(v)];
-        return result;
-    };
-    std::string out = head_of<3>(used);
-    append_section<3>(out, used.size(), numbered(boundary), 3);
-    append_section<4>(out, used.size(), numbered(cells), 4);
+std::string write_mesh(const Mesh_part& part) {
+    std::string out = head_of<3>(part.points);
+    append_section<3>(out, part.points.size(), part.triangles, 3);
+    append_section<4>(out, part.points.size(), part.tetrahedra, 4);
     return out += tail;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/types.h>
+#include <apps/formats/mesh_part.h>
 
 #include <array>
 #include <span>
@@ -19,10 +20,8 @@ template <int d>
 [[nodiscard]] std::string write_mesh(std::span<const Coordinates<d>> points,
                                      std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells);
 
-/// Some tetrahedra of a triangulation with the triangles around them and only their own points, in their order.
-[[nodiscard]] std::string write_part(std::span<const Coordinates<3>> points,
-                                     std::span<const std::array<Index, 4>> cells,
-                                     std::span<const std::array<Index, 3>> boundary);
+/// The text of a Medit mesh: the triangles and the tetrahedra. Throws as above.
+[[nodiscard]] std::string write_mesh(const Mesh_part& part);
 
 extern template std::string write_mesh<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>);
 extern template std::string write_mesh<3>(std::span<const Coordinates<3>>, std::span<const std::array<Index, 4>>);

@@ -82,33 +82,39 @@ void append_fields(std::string& out, const char* section, std::span<const Vtu_fi
     out += std::string("      </") + section + ">\n";
 }
 
-}  // namespace
+constexpr std::uint8_t vtk_triangle = 5;
+constexpr std::uint8_t vtk_tetra = 10;
+
+/// Points with three coordinates each, and cells of any kind.
+struct Grid {
+    std::vector<double> coordinates;
+    std::vector<std::int64_t> connectivity, offsets;
+    std::vector<std::uint8_t> types;
+
+    template <std::size_t n>
+    void add(std::span<const std::array<Index, n>> cells, std::uint8_t type) {
+        for (const auto& cell : cells) {
+            for (const Index i : cell) {
+                if (i < 0 || 3 * static_cast<std::size_t>(i) >= coordinates.size())
+                    throw Error(Error_code::unknown_vertex, "write_vtu: a cell names no point");
+                connectivity.push_back(i);
+            }
+            offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+        }
+        types.resize(offsets.size(), type);
+    }
+};
 
 template <int d>
-std::string write_vtu(std::span<const Coordinates<d>> points,
-                      std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells,
-                      std::span<const Vtu_field> point_fields, std::span<const Vtu_field> cell_fields) {
-    static_assert(d == 2 || d == 3);
-    constexpr std::uint8_t vtk_triangle = 5;
-    constexpr std::uint8_t vtk_tetra = 10;
-    constexpr std::size_t corners = static_cast<std::size_t>(d) + 1;
-
-    std::vector<double> coordinates(3 * points.size());
+Grid grid_of(std::span<const Coordinates<d>> points) {
+    Grid grid;
+    grid.coordinates.resize(3 * points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
-        std::copy(points[i].begin(), points[i].end(), coordinates.begin() + static_cast<std::ptrdiff_t>(3 * i));
-    std::vector<std::int64_t> connectivity;
-    std::vector<std::int64_t> offsets;
-    connectivity.reserve(cells.size() * corners);
-    offsets.reserve(cells.size());
-    for (const auto& cell : cells) {
-        for (const Index i : cell) {
-            if (i < 0 || static_cast<std::size_t>(i) >= points.size())
-                throw Error(Error_code::unknown_vertex, "write_vtu: a cell names no point");
-            connectivity.push_back(i);
-        }
-        offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    }
+        std::copy(points[i].begin(), points[i].end(), grid.coordinates.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    return grid;
+}
 
+std::string text_of(const Grid& grid, std::span<const Vtu_field> point_fields, std::span<const Vtu_field> cell_fields) {
     std::string out =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"";
@@ -116,17 +122,40 @@ std::string write_vtu(std::span<const Coordinates<d>> points,
     out +=
         "\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece "
         "NumberOfPoints=\"" +
-        std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n";
-    append_fields(out, "PointData", point_fields, points.size());
-    append_fields(out, "CellData", cell_fields, cells.size());
+        std::to_string(grid.coordinates.size() / 3) + "\" NumberOfCells=\"" + std::to_string(grid.types.size()) +
+        "\">\n";
+    append_fields(out, "PointData", point_fields, grid.coordinates.size() / 3);
+    append_fields(out, "CellData", cell_fields, grid.types.size());
     out += "      <Points>\n";
-    append_array(out, "Points", 3, coordinates);
+    append_array(out, "Points", 3, grid.coordinates);
     out += "      </Points>\n      <Cells>\n";
-    append_array(out, "connectivity", 1, connectivity);
-    append_array(out, "offsets", 1, offsets);
-    append_array(out, "types", 1, std::vector<std::uint8_t>(cells.size(), d == 2 ? vtk_triangle : vtk_tetra));
+    append_array(out, "connectivity", 1, grid.connectivity);
+    append_array(out, "offsets", 1, grid.offsets);
+    append_array(out, "types", 1, grid.types);
     out += "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
     return out;
+}
+
+}  // namespace
+
+template <int d>
+std::string write_vtu(std::span<const Coordinates<d>> points,
+                      std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells,
+                      std::span<const Vtu_field> point_fields, std::span<const Vtu_field> cell_fields) {
+    static_assert(d == 2 || d == 3);
+    Grid grid = grid_of<d>(points);
+    grid.connectivity.reserve(cells.size() * (static_cast<std::size_t>(d) + 1));
+    grid.offsets.reserve(cells.size());
+    grid.add(cells, d == 2 ? vtk_triangle : vtk_tetra);
+    return text_of(grid, point_fields, cell_fields);
+}
+
+std::string write_vtu(const Mesh_part& part, std::span<const Vtu_field> point_fields,
+                      std::span<const Vtu_field> cell_fields) {
+    Grid grid = grid_of<3>(part.points);
+    grid.add(std::span<const std::array<Index, 4>>(part.tetrahedra), vtk_tetra);
+    grid.add(std::span<const std::array<Index, 3>>(part.triangles), vtk_triangle);
+    return text_of(grid, point_fields, cell_fields);
 }
 
 template std::string write_vtu<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/types.h>
+#include <apps/formats/mesh_part.h>
 
 #include <array>
 #include <cstdint>
@@ -27,6 +28,10 @@ template <int d>
 [[nodiscard]] std::string write_vtu(std::span<const Coordinates<d>> points,
                                     std::span<const std::array<Index, static_cast<std::size_t>(d) + 1>> cells,
                                     std::span<const Vtu_field> point_fields = {},
+                                    std::span<const Vtu_field> cell_fields = {});
+
+/// The same of tetrahedra and then triangles.
+[[nodiscard]] std::string write_vtu(const Mesh_part& part, std::span<const Vtu_field> point_fields = {},
                                     std::span<const Vtu_field> cell_fields = {});
 
 extern template std::string write_vtu<2>(std::span<const Coordinates<2>>, std::span<const std::array<Index, 3>>,

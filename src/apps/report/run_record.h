@@ -52,6 +52,13 @@ struct Mesh_step {
     std::vector<std::uint64_t> dihedral;  ///< counts of angles, 5 degrees a bin from 0 to 180
 };
 
+/// One of the worst cells of an optimised mesh.
+struct Worst_cell {
+    std::uint64_t cell = 0;                                 ///< its number among the tetrahedra of the domain, from 0
+    double dihedral_min = 0, radius_ratio = 0, aspect = 0;  ///< see cell_quality.h
+    Coordinates<3> at{};                                    ///< the mean of its corners
+};
+
 /// One step. Lengths are in mean spacings; an absent value was not measured in this step.
 struct Iteration_record {
     std::uint64_t iteration = 0;  ///< from 1
@@ -98,6 +105,7 @@ struct Run_record {
     double mean_spacing = 0;              ///< the unit of length, in the caller's unit
     std::vector<Iteration_record> steps;
     std::optional<Mesh_step> mesh_before;  ///< before the first step
+    std::vector<Worst_cell> worst;         ///< the cells with the least dihedral angles at the end
 };
 
 /// The same motion under several strategies, all treated alike.

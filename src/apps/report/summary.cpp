@@ -22,6 +22,17 @@ Json mesh_json(const Mesh_step& m) {
                 {"dihedral_degrees_5", m.dihedral}};
 }
 
+Json worst_json(const std::vector<Worst_cell>& cells) {
+    Json worst = Json::array();
+    for (const Worst_cell& c : cells)
+        worst.push_back(Json{{"cell", c.cell},
+                             {"dihedral_min", c.dihedral_min},
+                             {"radius_ratio", c.radius_ratio},
+                             {"aspect", c.aspect},
+                             {"at", c.at}});
+    return worst;
+}
+
 void append_mesh(std::vector<Csv_cell>& row, const Iteration_record& s) {
     const std::uint64_t failures = s.moves.asked - s.moves.within_tolerance;
     row.push_back(failures);
@@ -79,6 +90,7 @@ Json summary_json(const Run_record& run) {
         mesh["before"] = mesh_json(*run.mesh_before);
         const bool measured = !run.steps.empty() && run.steps.back().mesh;
         mesh["after"] = mesh_json(measured ? *run.steps.back().mesh : *run.mesh_before);
+        if (!run.worst.empty()) mesh["worst"] = worst_json(run.worst);
     }
     return json;
 }
