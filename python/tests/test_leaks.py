@@ -59,6 +59,13 @@ def everything(dt, x, rng):
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])
     dt.remove([4])
     dt.insert(x[4:5])
+    batch = annulus.MovingDelaunayBatch([x, x + 1])
+    _ = batch.move([x + 1, x]), batch.points, batch.voronoi_volumes(), batch.voronoi_vjp(x[:, 0] + [[0], [1]]), batch[1]
+    for wrong in ([x, np.zeros_like(x)], [x], [x[1:], x[1:]], None):
+        try:
+            batch.move(wrong)
+        except (annulus.Error, TypeError):
+            pass
     for wrong in (x, out[1:], None, out[:, :1]):
         try:
             dt.voronoi_vjp(x[:, 0], out=wrong)
