@@ -49,6 +49,7 @@ def everything(dt, x, rng):
     _ = report.edges_made, dt.edges, dt.neighbor_list("ijdDSA"), dt.neighbor_counts(), dt.nearest_vertex(x[:5])
     box = [x.min(axis=0), x.max(axis=0) + 1]
     _ = dt.voronoi(clip=box).regions, dt.voronoi_vjp(x[:, 0]), dt.voronoi_jacobian(), dt.voronoi_volumes(clip=box)
+    _ = dt.voronoi_polytopes(box).faces(5)
     _ = dt.interpolate(x, x[:5] + 1e-3)
     out = np.empty_like(x, np.float32)
     _ = dt.voronoi_volumes(out=out[:, 0].copy()), dt.voronoi_vjp(x[:, 0], out=out), dt.voronoi_vjp(x[:, 0], dtype=float)
