@@ -46,3 +46,19 @@ def volumes(bench):
         yield (f"| {r['movers']}, {r['dimension']}D | {r['kept_ns']:.1f} | {r['fresh_ns']:.0f} | {r['ratio']:.1f} "
                f"| {'yes' if r['same'] else '**WRONG**'} |")
     yield ""
+
+
+def derived(bench):
+    """Areas with a gradient, facets, pairs and events, beside the move before them."""
+    points = 10000 if bench.quick else 50000
+    yield from [f"## What is computed after each step, walk of 0.01 spacings, {points} points", "",
+                "Each has a `Moving_mesh` of its own, which makes the same steps. Nanoseconds a vertex and step, "
+                "medians of nine, and the median of the ratios to the move in the same step. Events are what a "
+                "move with `report_changes` and `edge_changes` take above a move without.", "",
+                "| | move, ns | after it, ns | after it / move | must | reached | audit |",
+                "|---|---|---|---|---|---|---|"]
+    for r in bench.call("annulus-derived", points, spacings=0.01):
+        must = 3 if r["what"] == "areas with gradient" else None
+        yield (f"| {r['what']}, {r['dimension']}D | {r['move_ns']:.0f} | {r['work_ns']:.0f} | {r['ratio']:.2f} "
+               f"| {must or ''} | {reached(r['ratio'], must, False)} | {'right' if r['audit'] else '**WRONG**'} |")
+    yield ""

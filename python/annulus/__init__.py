@@ -15,19 +15,21 @@ if not _core.in_main_interpreter():  # the main one has imported it before, and 
 from . import predicates
 from ._analysis import Analysis, AnalysisStream
 from ._analyze import analyze
+from ._batch import MovingDelaunayBatch
 from ._core import MoveResult, MoveStatistics
 from ._core import version as __version__
-from ._error import Error, OpenBoundariesWarning
+from ._error import BatchError, Error, OpenBoundariesWarning
 from ._frame_result import FrameResult
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
 from ._periodic import NotAvailableError, PeriodicDelaunay
+from ._polytopes import VoronoiPolytopes
 from ._queries import AuditResult, Fault
 from ._voronoi import Voronoi, t1
 
-__all__ = ["Analysis", "AnalysisStream", "AuditResult", "Error", "Fault", "FrameResult", "LloydResult", "MoveResult",
-           "MoveStatistics", "MovingDelaunay", "NodtResult", "NotAvailableError", "OpenBoundariesWarning",
-           "PeriodicDelaunay", "Voronoi", "__version__", "analyze", "audit", "counterexample", "degeneracy", "lloyd",
-           "nodt", "predicates", "t1"]
+__all__ = ["Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
+           "MoveResult", "MoveStatistics", "MovingDelaunay", "MovingDelaunayBatch", "NodtResult", "NotAvailableError",
+           "OpenBoundariesWarning", "PeriodicDelaunay", "Voronoi", "VoronoiPolytopes", "__version__", "analyze",
+           "audit", "counterexample", "degeneracy", "lloyd", "nodt", "predicates", "t1"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import typing
+
 
 class Error(ValueError):
-    """The exception that annulus raises. After a failed call, the object is as it was before the call.
+    """The exception that annulus raises. After a failed call, the object is as it was before the call (see `BatchError`
+    for several objects).
 
     Attributes
     ----------
@@ -53,8 +56,40 @@ class Error(ValueError):
         self.code = code
         self.vertices = tuple(vertices)
 
-    def __reduce__(self) -> tuple[type[Error], tuple[str, str, tuple[int, ...]]]:
+    def __reduce__(self) -> tuple[type[Error], tuple[typing.Any, ...]]:
         return type(self), (str(self), self.code, self.vertices)
+
+
+class BatchError(Error):
+    """What `MovingDelaunayBatch` raises if some entries fail: each of these is as it was before the call, the others
+    have done what was asked.
+
+    Attributes
+    ----------
+    code : str
+        That of the first entry that failed.
+    vertices : tuple of int
+        Those of the first entry that failed.
+    errors : dict
+        The `Error` of each entry that failed, by the number of the entry, ascending.
+    """
+
+    errors: dict[int, Error]
+
+    def __init__(self, message: str, code: str, vertices: tuple[int, ...] = (),
+                 errors: dict[int, Error] | None = None) -> None:
+        super().__init__(message, code, vertices)
+        self.errors = dict(errors or {})
+
+    def __reduce__(self) -> tuple[type[BatchError], tuple[typing.Any, ...]]:
+        return type(self), (str(self), self.code, self.vertices, self.errors)
+
+
+def batch_error(errors: dict[int, Error]) -> BatchError:
+    """Called by the compiled module with the errors of entries, ascending."""
+    entry, first = next(iter(errors.items()))
+    more = {1: "", 2: " (and one more entry failed)"}.get(len(errors), f" (and {len(errors) - 1} more entries failed)")
+    return BatchError(f"entry {entry}: {first}{more}", first.code, first.vertices, errors)
 
 
 class OpenBoundariesWarning(UserWarning):

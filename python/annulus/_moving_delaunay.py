@@ -234,6 +234,14 @@ setattr(MovingDelaunay, "__signature__", inspect.signature(MovingDelaunay.__init
     return_annotation=inspect.Signature.empty))
 
 
+def of_mesh(mesh: _core.Mesh2 | _core.Mesh3, options: dict[str, typing.Any]) -> MovingDelaunay:
+    """The public object over a mesh that was built with these options, as `_arguments.options` returns them."""
+    dt = object.__new__(MovingDelaunay)
+    dt._options, dt._mesh, dt._vertex_of_input = options, mesh, mesh.vertex_of_input
+    dt._vertex_of_input.flags.writeable = False
+    return dt
+
+
 def options_of(o: dict[str, typing.Any]) -> _core.Options:
     """The options for the compiled module, from those that `_arguments.options` has checked."""
     return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"],

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments, _core, _outputs
 from ._error import Error
+from ._polytopes import VoronoiPolytopes
 from ._queries import Floats, Indices, Queries
 from ._voronoi import Voronoi, clip_of
 
@@ -48,6 +49,29 @@ class VoronoiQueries(Queries):
         """
         box, half_spaces = clip_of(clip, self.ndim)
         return Voronoi(_core.voronoi(self._mesh, box, half_spaces))
+
+    def voronoi_polytopes(self, clip: ArrayLike) -> VoronoiPolytopes:
+        """The Voronoi cells, intersected with a clip, as polygons or polyhedra.
+
+        Parameters
+        ----------
+        clip : array_like
+            As for `voronoi`.
+
+        Returns
+        -------
+        VoronoiPolytopes
+
+        Raises
+        ------
+        Error
+            As `voronoi`, and with the code ``usage`` if the clip is None.
+
+        Notes
+        -----
+        Computed afresh by each call, in doubles, O(n): every cell is cut out of the clip.
+        """
+        return VoronoiPolytopes(_core.voronoi_polytopes(self._mesh, *clip_of(clip, self.ndim)))
 
     def voronoi_volumes(self, clip: ArrayLike | None = None, *, out: NDArray[typing.Any] | None = None,
                         dtype: DTypeLike | None = None) -> NDArray[typing.Any]:

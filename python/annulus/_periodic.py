@@ -16,7 +16,8 @@ from ._queries import AuditResult, Floats, Indices, audit_result_of
 _QUANTITIES = "ijdDSA"
 _MISSING = ("insert", "remove", "recompute_tolerances", "find_simplex", "convex_hull", "flat_simplices",
             "vertex_neighbor_vertices", "vertex_to_simplex", "tolerances", "theta", "displacements", "is_vertex",
-            "vertex_of_input", "affine_dimension")
+            "vertex_of_input", "affine_dimension", "edges", "voronoi", "voronoi_polytopes", "voronoi_vjp",
+            "voronoi_jacobian", "nearest_vertex", "interpolate")
 
 
 class NotAvailableError(Error, NotImplementedError, AttributeError):

@@ -40,7 +40,8 @@ class Voronoi:
         The perimeter (2D) or area (3D) of the border of each cell.
     vertices : ndarray of float64, shape (nvertices, d)
         The corners of the cells: the circumcentres of the simplices, one for all simplices of cospherical points.
-        They, and the lists of them, do not depend on a clip.
+        They, and the lists of them, do not depend on a clip: `MovingDelaunay.voronoi_polytopes` has the corners of
+        clipped cells.
 
     Notes
     -----

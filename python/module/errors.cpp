@@ -27,22 +27,26 @@ std::string_view name_of(Error_code code) {
     return "";
 }
 
+/// The class is written in Python, where it is easier to read; the package imports it before anything of this module is
+/// called.
+py::object error_of(const Error& e) {
+    const py::object type = py::module_::import("annulus._error").attr("Error");
+    // Names of files need not be UTF-8.
+    const std::string_view what = e.what();
+    const auto words = py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "backslashreplace"));
+    if (!words) throw py::error_already_set();
+    py::tuple vertices(e.vertices().size());
+    for (std::size_t k = 0; k < e.vertices().size(); ++k) vertices[k] = py::int_(e.vertices()[k]);
+    return type(words, py::str(std::string(name_of(e.code()))), vertices);
+}
+
 namespace {
 
-/// Raises annulus.Error. The class is written in Python, where it is easier to read; the package imports it before
-/// anything of this module is called.
 void raise(const Error& e) {
     try {
-        const py::object type = py::module_::import("annulus._error").attr("Error");
-        // Names of files need not be UTF-8.
-        const std::string_view what = e.what();
-        const auto words = py::reinterpret_steal<py::object>(
-            PyUnicode_DecodeUTF8(what.data(), static_cast<Py_ssize_t>(what.size()), "backslashreplace"));
-        if (!words) throw py::error_already_set();
-        py::tuple vertices(e.vertices().size());
-        for (std::size_t k = 0; k < e.vertices().size(); ++k) vertices[k] = py::int_(e.vertices()[k]);
-        const py::object error = type(words, py::str(std::string(name_of(e.code()))), vertices);
-        PyErr_SetObject(type.ptr(), error.ptr());
+        const py::object error = error_of(e);
+        PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
     } catch (py::error_already_set& failed) {
         failed.restore();
     }

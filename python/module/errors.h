@@ -12,6 +12,9 @@ namespace annulus::python {
 /// The value of `Error.code` in Python: the name in error.h.
 [[nodiscard]] std::string_view name_of(Error_code code);
 
+/// An object annulus.Error of Python with the message, the code and the vertices of an error.
+[[nodiscard]] pybind11::object error_of(const Error& e);
+
 /// Registers the translation of annulus::Error to annulus.Error. (pybind11 translates bad_alloc to MemoryError.)
 void translate_errors();
 

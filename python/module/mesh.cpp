@@ -71,12 +71,23 @@ Mesh<d>::Mesh(const Points_in<d>& points, std::vector<Index> free_indices, const
     remove(free_indices);
 }
 
+template <int d>
+Mesh<d>::Mesh(const Without_gil&, std::span<const Point> points, const Options& options)
+    : options_(options), mesh_(points, options) {}
+
 /// Makes a call that may change the mesh. If it throws, positions are as they were, but the cells may be different
 /// ones that are right, too.
 template <int d>
 template <class Call>
 Move_result Mesh<d>::changing(Call call) {
-    return locked([&] {
+    const Without_gil without_gil;
+    return changing(without_gil, std::move(call));
+}
+
+template <int d>
+template <class Call>
+Move_result Mesh<d>::changing(const Without_gil& without_gil, Call call) {
+    return locked(without_gil, [&] {
         require_sound_environment();  // another module may have changed it
         Move_result report;
         try {
@@ -93,6 +104,11 @@ Move_result Mesh<d>::changing(Call call) {
 template <int d>
 Move_result Mesh<d>::move(const Points_in<d>& points) {
     return changing([&](Move_result& report) { report = mesh_.move_all(points.span()); });
+}
+
+template <int d>
+Move_result Mesh<d>::move(const Without_gil& without_gil, std::span<const Point> points) {
+    return changing(without_gil, [&](Move_result& report) { report = mesh_.move_all(points); });
 }
 
 template <int d>

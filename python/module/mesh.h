@@ -2,6 +2,7 @@
 #pragma once
 
 #include <module/arrays.h>
+#include <module/finalizing.h>
 #include <module/process_mutex.h>
 
 #include <annulus/moving_mesh.h>
@@ -39,6 +40,12 @@ class Mesh {
     void remove(const std::vector<Index>& indices);
     Move_result recompute_tolerances();
 
+    // For batches, whose entries are computed by several threads after one release of the GIL: called without it.
+    Mesh(const Without_gil&, std::span<const Point> points, const Options& options);
+    Move_result move(const Without_gil& without_gil, std::span<const Point> points);
+    template <class Read>
+    [[nodiscard]] auto read(const Without_gil& without_gil, Read read) const;
+
     [[nodiscard]] py::array points();
     [[nodiscard]] py::array is_vertex() const;
     /// The state for pickling, as one snapshot: `points` as above, and the free indices, the one freed last at the end.
@@ -72,7 +79,11 @@ class Mesh {
     template <class Call>
     auto locked(Call call) const;
     template <class Call>
+    auto locked(const Without_gil& without_gil, Call call) const;
+    template <class Call>
     Move_result changing(Call call);
+    template <class Call>
+    Move_result changing(const Without_gil& without_gil, Call call);
     template <class Value>
     [[nodiscard]] std::vector<double> by_vertex(Value value) const;
     /// Precondition: this thread holds the lock.

@@ -26,6 +26,7 @@ PYBIND11_MODULE(_core, m) {
     add_degeneracy(m);
     add_predicates(m);
     add_voronoi(m);
+    add_batch(m);
     add_interpolation(m);
     add_counterexample(m);
     add_lloyd(m);

@@ -18,6 +18,7 @@ void add_periodic_meshes(py::module_& m);
 void add_degeneracy(py::module_& m);
 void add_predicates(py::module_& m);
 void add_voronoi(py::module_& m);
+void add_batch(py::module_& m);
 void add_interpolation(py::module_& m);
 void add_counterexample(py::module_& m);
 void add_lloyd(py::module_& m);

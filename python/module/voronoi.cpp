@@ -5,6 +5,7 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/measure/nearest_vertex.h>
+#include <annulus/measure/voronoi_polytopes.h>
 #include <annulus/voronoi.h>
 
 #include <limits>
@@ -90,6 +91,16 @@ py::dict voronoi_of(const Mesh<d>& mesh, const py::object& box, const py::object
     return out;
 }
 
+template <int d>
+py::tuple polytopes_of(const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
+    const auto clip = clip_of<d>(box, half_spaces);
+    if (!clip) throw Error(Error_code::usage, "clip must be given: without it, cells are unbounded");
+    Voronoi_polytopes<d> p = mesh.read(
+        [&](const Moving_mesh<d>& m) { return voronoi_polytopes<d>(m.points(), *m.vertex_neighbors(), *clip); });
+    return py::make_tuple(give_rows(std::move(p.corner)), give(std::move(p.side_begin)), give(std::move(p.neighbour)),
+                          give(std::move(p.corner_begin)), give(std::move(p.side_corner)));
+}
+
 /// Points of any shape (.., d), as find_simplex takes them.
 template <int d>
 py::array nearest_vertex(const Mesh<d>& mesh, const py::object& object) {
@@ -119,6 +130,7 @@ template <int d>
 void add(py::module_& m) {
     m.def("nearest_vertex", &nearest_vertex<d>);
     m.def("voronoi", &voronoi_of<d>);
+    m.def("voronoi_polytopes", &polytopes_of<d>);
     m.def("clipped_volumes", [](const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
         const auto clip = clip_of<d>(box, half_spaces);
         return give(mesh.read([&](const Moving_mesh<d>& of) { return diagram_of<d>(of, clip).volume; }));

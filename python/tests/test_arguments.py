@@ -39,6 +39,7 @@ WRONG = {
 # A call of each public function that is right, and quick.
 RIGHT = {
     "MovingDelaunay": (annulus.MovingDelaunay, {"points": X}),
+    "MovingDelaunayBatch": (annulus.MovingDelaunayBatch, {"points": np.stack([X, X + 1])}),
     "PeriodicDelaunay": (annulus.PeriodicDelaunay, {"points": X, "box": [1.0, 1.5]}),
     "move": (lambda **named: annulus.MovingDelaunay(X).move(**named), {"points": X}),
     "move some": (lambda **named: annulus.MovingDelaunay(X).move(**named), {"points": X[:3] + 1, "indices": [1, 2, 3]}),
@@ -49,6 +50,8 @@ RIGHT = {
     "audit": (lambda **named: annulus.MovingDelaunay(X).audit(**named), {}),
     "voronoi_volumes": (lambda **named: annulus.MovingDelaunay(X).voronoi_volumes(**named), {"clip": [[0, 0], [1, 1]]}),
     "voronoi": (lambda **named: annulus.MovingDelaunay(X).voronoi(**named), {"clip": [[0, 0], [1, 1]]}),
+    "voronoi_polytopes": (lambda **named: annulus.MovingDelaunay(X).voronoi_polytopes(**named),
+                          {"clip": [[0, 0], [1, 1]]}),
     "voronoi_vjp": (lambda **named: annulus.MovingDelaunay(X).voronoi_vjp(**named), {"g": X[:, 0]}),
     "voronoi_jacobian": (lambda **named: annulus.MovingDelaunay(X).voronoi_jacobian(**named), {}),
     "neighbor_list": (lambda **named: annulus.MovingDelaunay(X).neighbor_list(**named),
@@ -68,8 +71,9 @@ RIGHT = {
     "nodt": (annulus.nodt, {"surface": "sphere", "vertices": 30, "iterations": 1}),
 }
 # What these are made of is not looked at: results, and exceptions.
-PLAIN = {"Analysis", "AnalysisStream", "AuditResult", "Error", "Fault", "FrameResult", "LloydResult", "MoveResult",
-         "MoveStatistics", "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "Voronoi"}
+PLAIN = {"Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
+         "MoveResult", "MoveStatistics", "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "Voronoi",
+         "VoronoiPolytopes"}
 
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;

@@ -44,11 +44,11 @@ def stand_in(monkeypatch):
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("shape", [(60, 2), (60, 3)])
+@pytest.mark.parametrize("shape", [(60, 2), (60, 3), (4, 60, 2)])
 def test_stand_in(stand_in, shape, dtype):
     rng = np.random.default_rng(len(shape))
     x = rng.random(shape)
-    dt = annulus.MovingDelaunay(x)
+    dt = (annulus.MovingDelaunay if len(shape) == 2 else annulus.MovingDelaunayBatch)(x)
     x = (x + 0.01 * rng.standard_normal(shape)).astype(dtype)
     volumes, pull = stand_in.voronoi_volumes.vjp(x, dt)
     assert np.array_equal(dt.points, x) and volumes.dtype == dtype

@@ -49,6 +49,7 @@ def everything(dt, x, rng):
     _ = report.edges_made, dt.edges, dt.neighbor_list("ijdDSA"), dt.neighbor_counts(), dt.nearest_vertex(x[:5])
     box = [x.min(axis=0), x.max(axis=0) + 1]
     _ = dt.voronoi(clip=box).regions, dt.voronoi_vjp(x[:, 0]), dt.voronoi_jacobian(), dt.voronoi_volumes(clip=box)
+    _ = dt.voronoi_polytopes(box).faces(5)
     _ = dt.interpolate(x, x[:5] + 1e-3)
     out = np.empty_like(x, np.float32)
     _ = dt.voronoi_volumes(out=out[:, 0].copy()), dt.voronoi_vjp(x[:, 0], out=out), dt.voronoi_vjp(x[:, 0], dtype=float)
@@ -59,6 +60,13 @@ def everything(dt, x, rng):
     _ = dt.move(x[:3].astype(np.float32), indices=[0, 1, 2])
     dt.remove([4])
     dt.insert(x[4:5])
+    batch = annulus.MovingDelaunayBatch([x, x + 1])
+    _ = batch.move([x + 1, x]), batch.points, batch.voronoi_volumes(), batch.voronoi_vjp(x[:, 0] + [[0], [1]]), batch[1]
+    for wrong in ([x, np.zeros_like(x)], [x], [x[1:], x[1:]], None):
+        try:
+            batch.move(wrong)
+        except (annulus.Error, TypeError):
+            pass
     for wrong in (x, out[1:], None, out[:, :1]):
         try:
             dt.voronoi_vjp(x[:, 0], out=wrong)

@@ -217,6 +217,10 @@ def test_what_is_not_there_yet_says_so():
         with pytest.raises(NotImplementedError):
             getattr(dt, name)
         assert not hasattr(dt, name) and getattr(dt, name, 7) == 7
+    for name in dir(annulus.MovingDelaunay):  # all that there is with open boundaries is there, or said to be missing
+        if not name.startswith("_") and not hasattr(dt, name):
+            with pytest.raises(annulus.NotAvailableError, match=name):
+                getattr(dt, name)
     for options in ({"strategy": "tolerances"}, {"tolerance": "paper", "strategy": "paper"},
                     {"merge_duplicates": True}):
         with pytest.raises(annulus.NotAvailableError):

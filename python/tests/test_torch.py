@@ -50,16 +50,16 @@ def stand_in(monkeypatch):
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])
-@pytest.mark.parametrize("d", [2, 3])
-def test_stand_in(stand_in, d, dtype):
-    rng = np.random.default_rng(d)
-    x = rng.random((60, d))
-    dt = annulus.MovingDelaunay(x)
+@pytest.mark.parametrize("shape", [(60, 2), (60, 3), (4, 60, 2)])
+def test_stand_in(stand_in, shape, dtype):
+    rng = np.random.default_rng(len(shape))
+    x = rng.random(shape)
+    dt = (annulus.MovingDelaunay if len(shape) == 2 else annulus.MovingDelaunayBatch)(x)
     x = (x + 0.01 * rng.standard_normal(x.shape)).astype(dtype)
     volumes = stand_in.voronoi_volumes(Tensor(x), dt)
     assert np.array_equal(dt.points, x) and volumes.values.dtype == dtype
     assert np.array_equal(volumes.values, dt.voronoi_volumes().astype(dtype))
-    g = rng.standard_normal(60).astype(dtype)
+    g = rng.standard_normal(shape[:-1]).astype(dtype)
     gradient, nothing = volumes.backward(Tensor(g))
     assert nothing is None and gradient.values.dtype == dtype
     assert np.array_equal(gradient.values, dt.voronoi_vjp(g).astype(dtype))

@@ -17,6 +17,12 @@ struct Cell_side {
     Coordinates<d> centroid;  ///< some corner of it where the measure is 0
 };
 
+/// A side by its corners, in order, counter-clockwise seen from outside; in 2D the two ends, the cell on the left.
+struct Cell_face {
+    Index label;
+    std::vector<std::size_t> corners;
+};
+
 template <int d>
 struct Cell_content {
     double volume;
@@ -37,16 +43,15 @@ class Convex_cell {
     [[nodiscard]] bool is_empty() const { return sides_.empty(); }
     /// Ones with the same label may be adjacent.
     [[nodiscard]] std::vector<Cell_side<d>> sides() const;
+    [[nodiscard]] const std::vector<Coordinates<d>>& corners() const { return corner_; }
+    /// The same sides; corners by number.
+    [[nodiscard]] const std::vector<Cell_face>& faces() const { return sides_; }
     [[nodiscard]] Cell_content<d> content() const;
     /// The least and the largest coordinates. Precondition: not empty.
     [[nodiscard]] std::pair<Coordinates<d>, Coordinates<d>> bounds() const;
 
   private:
-    /// The corners of a side in order, counter-clockwise seen from outside; in 2D two.
-    struct Side {
-        Index label;
-        std::vector<std::size_t> corners;
-    };
+    using Side = Cell_face;
     [[nodiscard]] std::size_t crossing(std::size_t inside, std::size_t outside);
     void close(const std::vector<std::pair<std::size_t, std::size_t>>& gaps, Index label);
     void drop_unused();

@@ -100,7 +100,7 @@ Coordinates<d> Voronoi_cut<d>::position(Index v, const Coordinates<d>& from_v) c
 }
 
 template <int d>
-Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
+Convex_cell<d> Voronoi_cut<d>::polytope(Index v) const {
     const Coordinates<d>& x = x_[at(v)];
     const Coordinates<d> lower = difference(lower_, x);
     const Coordinates<d> upper = difference(upper_, x);
@@ -132,6 +132,13 @@ Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
     }
     for (const Clip_plane<d>& plane : planes_)
         cell.cut(plane.normal, static_cast<double>(std::ldexp(plane.inside(x), -exponent_)), border);
+    return cell;
+}
+
+template <int d>
+Cut_cell<d> Voronoi_cut<d>::cell(Index v) const {
+    const Convex_cell<d> cell = polytope(v);
+    const auto others = neighbours(v);
     Cut_cell<d> out{cell.content(), 0, {}};
     for (std::size_t k = 0; k < others.size(); ++k) out.facets.push_back({static_cast<Index>(k), 0, {}});
     for (const Cell_side<d>& side : cell.sides()) {

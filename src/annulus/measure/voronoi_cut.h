@@ -36,6 +36,8 @@ class Voronoi_cut {
     [[nodiscard]] bool is_inside(const Coordinates<d>& x, double error) const;
     [[nodiscard]] std::span<const Index> neighbours(Index v) const;
     [[nodiscard]] Cut_cell<d> cell(Index v) const;
+    /// The same with corners, relative to the vertex. Labels are places in neighbours(v); -1 for the clip's border.
+    [[nodiscard]] Convex_cell<d> polytope(Index v) const;
     /// A measure of a Cut_cell in the caller's unit to this power; the largest double for what is larger.
     [[nodiscard]] double measure(double in_unit, int power) const;
     /// A position in the cell of v in the caller's unit.

@@ -16,10 +16,10 @@ namespace {
 constexpr std::array<std::string_view, 8> heads{"summary.json",    "compare.json",        "audit.json",
                                                 "degeneracy.json", "counterexample.json", "reproduction.json",
                                                 "sums.json",       "advise.json"};
-constexpr std::array<std::string_view, 17> others{
-    "iterations.csv",  "dihedral.csv",   "final.mesh", "domain.mesh", "domain.vtu",   "domain.msh",
-    "domain.vtk",      "quality.csv",    "final.vtu",  "report.html", "stipples.svg", "ids.csv",
-    "degeneracy.html", "degeneracy.csv", "frames.pvd", "voronoi.csv", "changes.csv"};
+constexpr std::array<std::string_view, 18> others{
+    "iterations.csv",  "dihedral.csv",   "final.mesh", "domain.mesh", "domain.vtu",    "domain.msh",
+    "domain.vtk",      "quality.csv",    "final.vtu",  "report.html", "stipples.svg",  "ids.csv",
+    "degeneracy.html", "degeneracy.csv", "frames.pvd", "voronoi.csv", "neighbors.csv", "changes.csv"};
 
 /// frame-000012.vtu
 bool is_frame(std::string_view name) {
