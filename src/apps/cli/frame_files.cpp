@@ -11,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace annulus::inline v1::cli {
 
@@ -19,8 +18,6 @@ namespace {
 
 template <int d>
 constexpr const char* volume_name = d == 2 ? "area" : "volume";
-template <int d>
-constexpr const char* facet_name = d == 2 ? "length" : "area";
 
 /// frame-000012.vtu
 std::string file_of(std::size_t step) {
@@ -66,9 +63,6 @@ void add_frames(CLI::App& app, Frame_arguments& a) {
         ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()));
     app.add_flag("--voronoi", a.voronoi,
                  "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
-    app.add_flag("--neighbors", a.neighbors,
-                 "Write neighbors.csv: every pair of neighbours in every frame, their distance, and the length or "
-                 "area of the facet that their cells have in common");
     app.add_flag("--changes", a.changes,
                  "Write changes.csv: which points became neighbours, or no longer are, and when");
 }
@@ -76,11 +70,9 @@ void add_frames(CLI::App& app, Frame_arguments& a) {
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options) {
     if (!frames.any()) return;
     if (common.output.empty())
-        throw Error(Error_code::usage,
-                    "--every, --voronoi, --neighbors and --changes write files: say where with --output DIR");
-    if ((frames.voronoi || frames.neighbors) && options.tolerance != Tolerance_kind::certified)
-        throw Error(Error_code::usage, std::string(frames.voronoi ? "--voronoi" : "--neighbors") +
-                                           " needs Delaunay triangulations, that is, --tolerance certified");
+        throw Error(Error_code::usage, "--every, --voronoi and --changes write files: say where with --output DIR");
+    if (frames.voronoi && options.tolerance != Tolerance_kind::certified)
+        throw Error(Error_code::usage, "--voronoi needs Delaunay triangulations, that is, --tolerance certified");
     options.report_changes = frames.changes;
 }
 
@@ -98,8 +90,6 @@ Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arg
     };
     if (frames.voronoi)
         voronoi_ = begin("voronoi.csv", std::string("frame,id,") + volume_name<d> + ",neighbours,unbounded");
-    if (frames.neighbors)
-        neighbors_ = begin("neighbors.csv", std::string("frame,first,second,distance,") + facet_name<d> + ",unbounded");
     if (frames.changes) changes_ = begin("changes.csv", "frame,first,second,change");
     tracker.listen([this](const Move_result& report, Index arrived) { hear(report, arrived); });
 }
@@ -153,40 +143,6 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d
     }
     voronoi_->write(text);
     record.voronoi = summary_of(volume_, neighbours_, vertices);
-}
-
-/// Pairs in the order of changes.csv: the smaller id first, ascending.
-template <class Moving>
-void Frame_files<Moving>::write_neighbors(std::uint64_t number, const Mesh_cells<d>& cells) {
-    const Voronoi_diagram<d> diagram = voronoi_diagram<d>(dt_.points(), cells);
-    struct Row {
-        std::uint64_t first, second;
-        std::size_t pair;
-    };
-    std::vector<Row> rows;
-    rows.reserve(diagram.pair.size());
-    for (std::size_t k = 0; k < diagram.pair.size(); ++k) {
-        const auto [i, j] = diagram.pair[k];
-        const auto [first, second] = std::minmax(id_[static_cast<std::size_t>(i)], id_[static_cast<std::size_t>(j)]);
-        rows.push_back({first, second, k});
-    }
-    std::sort(rows.begin(), rows.end(),
-              [](const Row& a, const Row& b) { return std::pair(a.first, a.second) < std::pair(b.first, b.second); });
-    const std::string frame = std::to_string(number) + ",";
-    std::string text;
-    for (const Row& row : rows) {
-        const double measure = diagram.measure[row.pair];
-        text += frame;
-        append_id(text, row.first);
-        text += ',';
-        append_id(text, row.second);
-        text += ',';
-        append_decimal(text, diagram.distance[row.pair]);
-        text += ',';
-        if (std::isfinite(measure)) append_decimal(text, measure);
-        text += std::isfinite(measure) ? ",0\n" : ",1\n";
-    }
-    neighbors_->write(text);
 }
 
 template <class Moving>
@@ -245,9 +201,8 @@ void Frame_files<Moving>::frame(std::uint64_t number) {
     Frame_record record{number, dt_.number_of_vertices()};
     const bool pictured = frames_.every > 0 && records_.size() % frames_.every == 0;
     Mesh_cells<d> cells;
-    if (pictured || frames_.voronoi || frames_.neighbors) cells = dt_.cells();
+    if (pictured || frames_.voronoi) cells = dt_.cells();
     if (frames_.voronoi) write_voronoi(number, cells, record);
-    if (frames_.neighbors) write_neighbors(number, cells);
     if (frames_.changes) write_changes(number, record);
     if (pictured) write_vtu(number, cells);
     records_.push_back(record);
@@ -257,7 +212,6 @@ template <class Moving>
 void Frame_files<Moving>::write(Result_files& out) {
     if (!scratch_) return;
     if (voronoi_) voronoi_->commit();
-    if (neighbors_) neighbors_->commit();
     if (changes_) changes_->commit();
     if (frames_.every > 0) scratch_->write("frames.pvd", write_pvd(series_));
     if (frames_.every > 0 && ids_ != nullptr && ids_->are_words()) {

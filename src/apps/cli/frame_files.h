@@ -21,20 +21,19 @@ namespace annulus::inline v1::cli {
 struct Frame_arguments {
     std::uint64_t every = 0;  ///< 0: no frames
     bool voronoi = false;
-    bool neighbors = false;
     bool changes = false;
 
-    [[nodiscard]] bool any() const { return every > 0 || voronoi || neighbors || changes; }
+    [[nodiscard]] bool any() const { return every > 0 || voronoi || changes; }
 };
 
 void add_frames(CLI::App& app, Frame_arguments& arguments);
 /// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
-/// The files of --every, --voronoi, --neighbors and --changes: frames.pvd and its frames, voronoi.csv, neighbors.csv,
-/// changes.csv; ids.csv where the frames have numbers for ids that are words. They are written during the run, next to
-/// the directory of --output, and moved there at its end. Memory does not depend on the number of frames, except for
-/// the data of the curves on the page.
+/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv; ids.csv where
+/// the frames have numbers for ids that are words. They are written during the run, next to the directory of --output,
+/// and moved there at its end. Memory does not depend on the number of frames, except for the data of the curves on the
+/// page.
 template <class Moving>
 class Frame_files {
   public:
@@ -62,7 +61,6 @@ class Frame_files {
     void hear(const Move_result& report, Index arrived);
     void append_id(std::string& text, std::uint64_t id) const;
     void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
-    void write_neighbors(std::uint64_t number, const Mesh_cells<d>& cells);
     void write_changes(std::uint64_t number, Frame_record& record);
     void write_vtu(std::uint64_t number, const Mesh_cells<d>& cells);
     [[nodiscard]] bool is_present(std::size_t i) const;
@@ -70,7 +68,7 @@ class Frame_files {
     Frame_arguments frames_;
     const Moving& dt_;
     std::unique_ptr<Result_files> scratch_;
-    std::unique_ptr<Text_output> voronoi_, neighbors_, changes_;
+    std::unique_ptr<Text_output> voronoi_, changes_;
     std::vector<std::uint64_t> id_;
     const Point_ids* ids_ = nullptr;  ///< null: they are numbers
     std::deque<std::uint64_t> arriving_;
