@@ -95,10 +95,10 @@ class Inputs(ToolTest):
                       ["compare", "--strategies", "tolerances", "--", "lloyd", "--input", "a.xyz", "--ignore-z"],
                       ["compare", "--strategies", "tolerances", "--", "replay", "a.xyz"]):
             self.assertRegex(self.refuse(3, *words),
-                             r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported; expected "
+                             r"\Aannulus: a.xyz:2: Lattice: a periodic box, and these are not supported here; expected "
                              r"--open")
         done = self.succeed("lloyd", "--input", "a.xyz", "--ignore-z", "--iterations", "0", "--output", "out", "--open")
-        self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*not supported[^\n]*\n\Z")
+        self.assertRegex(done.stderr, r"\Aannulus: a.xyz:2: Lattice ignored: [^\n]*open boundaries\n\Z")
         self.assertIn("columns        x: column 3 (pos), y: column 4 (pos)\n", done.stdout)
         self.assertEqual(sorted(self.mesh("out")[0]), sorted(SPREAD))
         self.assertEqual(self.summary("out")["columns"], {"x": "column 3 (pos)", "y": "column 4 (pos)"})

@@ -25,7 +25,7 @@ class Periodic(tool.ToolTest):
             with self.subTest(text=text):
                 self.write(name, text)
                 self.assertEqual(self.refuse(3, "replay", name, "--output", "out"),
-                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported; "
+                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported here; "
                                  "expected --open, by which points are taken as they stand, with open boundaries")
                 done = self.succeed("replay", name, "--output", "out", "--open")
                 self.assertRegex(done.stderr, rf"\Aannulus: {name}:{line}: {what} ignored: [^\n]*open boundaries\n\Z")
@@ -59,10 +59,9 @@ class Periodic(tool.ToolTest):
             with self.subTest(words=[*before, *words]):
                 whole = [*before, "--output", "out", "--", *words] if before else [*words, "--output", "out"]
                 self.assertEqual(self.refuse(3, *whole),
-                                 f"annulus: {name}:2: Lattice: a periodic box, and these are not supported; expected "
-                                 "--open, by which points are taken as they stand, with open boundaries")
-                said = (f"{name}:2: Lattice ignored: periodic boxes are not supported, points are taken as they stand, "
-                        "with open boundaries")
+                                 f"annulus: {name}:2: Lattice: a periodic box, and these are not supported here; "
+                                 "expected --open, by which points are taken as they stand, with open boundaries")
+                said = f"{name}:2: Lattice ignored: points are taken as they stand, with open boundaries"
                 self.assertEqual(self.succeed(*whole, "--open").stderr, f"annulus: {said}\n")
                 found = json.loads((self.here / "out" / result).read_text(encoding="utf-8"))
                 for one in [found, *(found["strategies"].values() if before else [])]:
