@@ -16,9 +16,9 @@ namespace {
 constexpr std::array<std::string_view, 8> heads{"summary.json",    "compare.json",        "audit.json",
                                                 "degeneracy.json", "counterexample.json", "reproduction.json",
                                                 "sums.json",       "advise.json"};
-constexpr std::array<std::string_view, 13> others{
+constexpr std::array<std::string_view, 14> others{
     "iterations.csv", "dihedral.csv", "final.mesh",  "domain.mesh", "final.vtu",    "report.html", "degeneracy.html",
-    "degeneracy.csv", "frames.pvd",   "voronoi.csv", "changes.csv", "stipples.svg", "ids.csv"};
+    "degeneracy.csv", "frames.pvd",   "voronoi.csv", "changes.csv", "stipples.svg", "ids.csv",     "pairs.csv"};
 
 /// frame-000012.vtu
 bool is_frame(std::string_view name) {
