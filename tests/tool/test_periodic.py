@@ -1,16 +1,125 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Periodic boxes of extended XYZ and LAMMPS: refused, or announced. usage: test_periodic.py --tool=PATH
-[CLASS[.METHOD]...]"""
+"""Periodic boxes of extended XYZ, LAMMPS and --box: how replay takes them, which are refused or announced, here and by
+other commands. usage: test_periodic.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
+import random
 import shutil
 
+import boxed
 import tool
 
 
+class Taken(boxed.BoxedTest):
+    def test_steps_flip_and_with_the_strategy_rebuild_they_rebuild(self):
+        dice = random.Random(tool.SEED)
+        motion = [{i: [dice.random(), dice.random()] for i in range(200)}]
+        while len(motion) < 5:
+            motion.append({i: [c + 0.004 * dice.gauss(0, 1) for c in p] for i, p in motion[-1].items()})
+        self.lattice_xyz("a.xyz", motion, [[[1, 0], [k / 32, 1]] for k in range(5)])
+        for strategy in ("auto", "rebuild"):
+            done = self.succeed("replay", "a.xyz", "--strategy", strategy, "--voronoi", "--neighbors", "--changes",
+                                "--audit", 1, "--output", strategy)
+            self.assertNotIn("certificates", done.stdout)
+            moves = self.summary(strategy)["moves"]
+            self.assertEqual(moves["asked"], 800)
+            self.assertEqual(moves["rebuilt"], 800 if strategy == "rebuild" else 0)
+            self.assertEqual(moves["kept_in_place"] + moves["flipped"], 0 if strategy == "rebuild" else 800)
+            page = (self.here / strategy / "report.html").read_text(encoding="utf-8")
+            for words in ("Lattice and pbc", "0.125, 1", "with images at the sides of the box"):
+                self.assertIn(words, page)
+            for words in ("ertificates decided", "Unbounded cells"):
+                self.assertNotIn(words, page)
+        self.assertEqual(self.shifted_changes("auto"), self.shifted_changes("rebuild"))
+        for frame, measures in self.pairs("auto").items():  # which cell a number is computed from is not the same
+            again = self.pairs("rebuild")[frame]
+            self.assertEqual(set(measures), set(again))
+            for pair, length in measures.items():
+                self.assertAlmostEqual(length, again[pair], delta=1e-12)
+
+    def test_a_box_for_points_that_are_absent_for_a_frame(self):
+        """Of a table, with frames without points, first and between."""
+        self.write("a.csv", "frame,id,x,y\n0,1,0.5,0.5\n0,2,0.75,0.5\n2,1,3.5,-0.5\n2,2,0.75,0.625\n3,1,0.5,0.5\n")
+        self.succeed("replay", "a.csv", "--box", "1,1", "--absent-frames", "empty", "--voronoi", "--neighbors",
+                     "--changes", "--every", 1, "--audit", 1, "--output", "out")
+        self.assertEqual(set(self.voronoi()), {0, 2, 3})
+        pairs, changes = self.pairs(), self.shifted_changes()
+        self.assertEqual((changes[1], changes[2]), ((set(), set(pairs[0])), (set(pairs[2]), set())))
+        self.lattice_xyz("b.xyz", [{}, {1: [0.5, 0.5]}, {}], [[[1, 0], [0, 1]]] * 3)
+        self.succeed("replay", "b.xyz", "--voronoi", "--output", "out", "--audit", 1)
+        self.assertEqual({f: list(cells) for f, cells in self.voronoi().items()}, {1: [1]})
+
+    def test_a_box_from_the_command_line(self):
+        self.write("a.csv", "frame,id,x,y\n0,1,0.1,0.2\n0,2,0.7,0.6\n1,1,0.2,0.2\n1,2,0.7,0.7\n")
+        for box, area in (("2,1", 2), ("2,0,0.5,1", 2)):
+            self.succeed("replay", "a.csv", "--box", box, "--voronoi", "--output", "out")
+            for frame in self.voronoi().values():
+                self.assertAlmostEqual(sum(v for v, _ in frame.values()), area, delta=1e-9)
+        self.assertEqual(self.summary("out")["box"], [[2, 0], [0.5, 1]])
+        for words, what in ((["--box", "1,2,3"], "--box has 3 numbers, and a box in 2D has 2 lengths or 4"),
+                            (["--box", "1,x"], "'x' is not a number"),
+                            (["--box", "1,0"], "--box: the vectors of the box"),
+                            (["--box", "1,1", "--open"], "--open and --box exclude each other"),
+                            (["--box", "1,1", "--strategy", "paper"], "in a periodic box there are no tolerances")):
+            self.assertIn(what, self.refuse(2, "replay", "a.csv", *words))
+        # In place of the box of a file, whatever that is.
+        self.write("b.xyz", '2\nLattice="9 0 0 0 9 0" pbc="T F F" Properties=pos:R:2\n0 0\n0.25 0.5\n')
+        self.succeed("replay", "b.xyz", "--box", "1,1", "--voronoi", "--output", "out")
+        self.assertAlmostEqual(sum(v for v, _ in self.voronoi()[0].values()), 1, delta=1e-9)
+
+    def test_what_cannot_be_taken_is_refused(self):
+        one = '2\n{} Properties=pos:R:3\n0 0 0\n1 2 3\n'
+        whole = 'Lattice="9 0 0 0 9 0 0 0 9"'
+        for text, line, what in (
+            (one.format(whole + ' pbc="T F T"'), 2, "Lattice and pbc: a box that is periodic in x and z only"),
+            (one.format('pbc="T T T"'), 2, "pbc: a periodic box of 0 numbers"),
+            (one.format('Lattice="9 9 9"'), 2, "Lattice: a periodic box of 3 numbers"),
+            (one.format('cell="9 9 9 90 90 90"'), 2, "cell: a periodic box of 6 numbers"),
+            (one.format('Lattice="9 0 0 9 0 0 0 0 9"'), 2, "Lattice: the vectors of the box"),
+            (one.format(whole + ' pbc="T F"'), 2, "pbc has 2 values"),
+            (one.format('pbc="F F F"') + one.format(whole), 6,
+             "a frame has a periodic box, and frames before have none"),
+            (one.format(whole) + one.format('pbc="F F F"'), 7,
+             "a frame has no periodic box, and frames before have one"),
+            (one.format(whole).replace("1 2 3", "9 0 18"), 3,
+             "in frame 0 the points of ids 0, 1 are at one place of the periodic box"),
+            (one.format(whole).replace("1 2 3", "1e11 0 0"), 4, "in frame 0 the point of id 1: "),
+        ):
+            with self.subTest(what=what):
+                self.write("a.xyz", text)
+                self.assertIn(f"a.xyz:{line}: {what}", self.refuse(3, "replay", "a.xyz", "--dim", 3))
+        dump = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS{}\n0 9\n0 9\n0 9\n"
+                "ITEM: ATOMS id x y z\n1 0 0 0\n2 1 2 3\n")
+        self.write("a.lammpstrj", dump.format(" pp pp ff"))
+        self.assertIn("a.lammpstrj:5: BOX BOUNDS pp pp ff: a box that is periodic in x and y only; expected one that "
+                      "is periodic in every direction, or --open", self.refuse(3, "replay", "a.lammpstrj"))
+        self.succeed("replay", "a.lammpstrj", "--dim", 2)
+        self.write("a.lammpstrj", dump.format(""))  # all sides, where the file does not say
+        self.assertIn("box  ", self.succeed("replay", "a.lammpstrj").stdout)
+
+    def test_results_do_not_depend_on_threads_and_files_are_complete(self):
+        dice = random.Random(tool.SEED)
+        motion = [{i: [dice.random() for _ in range(3)] for i in range(30)} for _ in range(2)]
+        self.lattice_xyz("a.xyz", motion, [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]] * 2)
+        files = {"summary.json", "iterations.csv", "final.mesh", "final.vtu", "report.html", "pairs.csv", "voronoi.csv",
+                 "changes.csv", "frames.pvd", "frame-000000.vtu", "frame-000001.vtu"}
+        for threads in (1, 2):
+            self.succeed("replay", "a.xyz", "--every", 1, "--voronoi", "--neighbors", "--changes", "--threads", threads,
+                         "--output", f"out{threads}")
+            self.assertEqual({p.name for p in (self.here / f"out{threads}").iterdir()}, files)
+        for name in files - {"summary.json", "iterations.csv", "report.html"}:
+            self.assertEqual((self.here / "out1" / name).read_bytes(), (self.here / "out2" / name).read_bytes(), name)
+        volumes = tool.vtu_values(self.here / "out1" / "frame-000001.vtu", "voronoi_volume")
+        ids = tool.vtu_values(self.here / "out1" / "frame-000001.vtu", "id")
+        self.assertEqual(ids[:30], tuple(range(30)))
+        self.assertGreater(len(ids), 30)  # images
+        self.assertAlmostEqual(sum(volumes[:30]), 1, delta=1e-9)
+        self.assertEqual(tool.vtu_values(self.here / "out1" / "final.vtu", "vertex"), ids)
+
+
 class Periodic(tool.ToolTest):
-    def test_a_periodic_box_is_refused_or_announced(self):
+    def test_an_open_box_is_announced(self):
         frame = '3\nLattice="9 0 0 0 9 0 0 0 9" {}Properties=species:S:1:pos:R:3\nH 0 0 0\nH 1 0 0\nH 0 1 0\n'
         dump = ("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS{}\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n"
                 "1 0 0 0\n2 1 0 0\n3 0 1 0\n")
@@ -24,9 +133,6 @@ class Periodic(tool.ToolTest):
         ):
             with self.subTest(text=text):
                 self.write(name, text)
-                self.assertEqual(self.refuse(3, "replay", name, "--output", "out"),
-                                 f"annulus: {name}:{line}: {what}: a periodic box, and these are not supported; "
-                                 "expected --open, by which points are taken as they stand, with open boundaries")
                 done = self.succeed("replay", name, "--output", "out", "--open")
                 self.assertRegex(done.stderr, rf"\Aannulus: {name}:{line}: {what} ignored: [^\n]*open boundaries\n\Z")
                 self.assertEqual(self.summary("out")["ignored"], ["box"])
@@ -58,11 +164,11 @@ class Periodic(tool.ToolTest):
         ):
             with self.subTest(words=[*before, *words]):
                 whole = [*before, "--output", "out", "--", *words] if before else [*words, "--output", "out"]
-                self.assertEqual(self.refuse(3, *whole),
-                                 f"annulus: {name}:2: Lattice: a periodic box, and these are not supported; expected "
-                                 "--open, by which points are taken as they stand, with open boundaries")
-                said = (f"{name}:2: Lattice ignored: periodic boxes are not supported, points are taken as they stand, "
-                        "with open boundaries")
+                if words[0] != "replay" or before:
+                    self.assertEqual(self.refuse(3, *whole),
+                                     f"annulus: {name}:2: Lattice: a periodic box, and these are not supported here; "
+                                     "expected --open, by which points are taken as they stand, with open boundaries")
+                said = f"{name}:2: Lattice ignored: points are taken as they stand, with open boundaries"
                 self.assertEqual(self.succeed(*whole, "--open").stderr, f"annulus: {said}\n")
                 found = json.loads((self.here / "out" / result).read_text(encoding="utf-8"))
                 for one in [found, *(found["strategies"].values() if before else [])]:

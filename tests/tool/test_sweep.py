@@ -180,8 +180,8 @@ class Found(SweepTest):
                 self.write("spec.toml", "[[grid]]\n" + grid)
                 said = self.refuse(3, "sweep", "spec.toml", "--output", "out")
                 self.assertRegex(said,
-                                 rf"{name}:2: Lattice: a periodic box, and these are not supported; expected open = "
-                                 r"true in its \[\[grid\]\]")
+                                 rf"{name}:2: Lattice: a periodic box, and these are not supported here; expected "
+                                 r"open = true in its \[\[grid\]\]")
                 self.sweep(f"[[grid]]\n{grid}open = true\n[[grid]]\nfile = \"open.xyz\"\n", "out")
                 lines, sums = self.lines("out"), json.loads((self.here / "out"
                                                              / "sums.json").read_text(encoding="utf-8"))["sums"]

@@ -4,6 +4,7 @@
 #include <apps/cli/counted_vertices.h>
 #include <apps/cli/input.h>
 #include <apps/cli/result_files.h>
+#include <apps/cli/solid_mesh.h>
 
 #include <apps/formats/input_error.h>
 #include <apps/formats/write_csv.h>
@@ -24,9 +25,18 @@ namespace annulus::inline v1::cli {
 
 namespace {
 
-/// Tolerance and theta of every vertex, without free indices.
+/// The last mesh, with the fields of its points.
 template <class Moving>
-std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& dt, const Measures& m) {
+struct Final_mesh {
+    std::vector<Coordinates<Moving::dimension_of_space>> points;
+    std::vector<typename Run_page<Moving>::Cell> cells;  ///< of a flat set the simplices of lower dimension
+    std::vector<Vtu_field> fields;
+};
+
+/// With tolerance and theta of every vertex, without free indices.
+template <int d>
+Final_mesh<Moving_mesh<d>> final_mesh(const Moving_mesh<d>& dt) {
+    const Measures m = dt.measure();
     std::pair<std::vector<double>, std::vector<double>> fields;
     for (std::size_t i = 0; i < m.tolerance.size(); ++i) {
         const auto v = static_cast<Index>(i);
@@ -34,7 +44,19 @@ std::pair<std::vector<double>, std::vector<double>> vertex_fields(const Moving& 
         fields.first.push_back(m.tolerance[i]);  // infinite if nothing can fail
         fields.second.push_back(dt.theta(v));
     }
-    return fields;
+    Audit_input<d> in = dt.audit_input();
+    return {std::move(in.points),
+            std::move(in.cells),
+            {{"tolerance", std::move(fields.first)}, {"theta", std::move(fields.second)}}};
+}
+
+/// With images of points where cells are across the sides of the box, and the number of the point of each: of the
+/// first ones the place in the order of ids, from 0.
+template <int d>
+Final_mesh<Boxed_mesh<d>> final_mesh(const Boxed_mesh<d>& dt) {
+    Solid_mesh<d> mesh = solid_mesh(dt);
+    std::vector<std::int64_t> number(mesh.vertex.begin(), mesh.vertex.end());
+    return {std::move(mesh.points), std::move(mesh.cells), {{"vertex", std::move(number)}}};
 }
 
 /// The least dihedral angle of each cell, in degrees.
@@ -58,16 +80,14 @@ std::string title_of(const Run_record& run, const std::string& step, const std::
 }
 
 template <class Moving>
-void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker, Run_page<Moving> page) {
+void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tracker, Run_page<Moving> page) {
     constexpr int d = Moving::dimension_of_space;
     const Run_record& run = tracker.record();
-    const Moving& dt = tracker.triangulation();
-    const Audit_input<d> in = dt.audit_input();  // for a flat set it has the simplices of lower dimension
+    const Final_mesh<Moving> in = final_mesh(tracker.triangulation());
     if (page.cells.empty())
         std::copy_if(in.cells.begin(), in.cells.end(), std::back_inserter(page.cells),
                      [](const auto& c) { return c[d] != none; });
-    auto [tolerance, theta] = vertex_fields(dt, dt.measure());
-    std::vector<Vtu_field> point_fields{{"tolerance", std::move(tolerance)}, {"theta", std::move(theta)}}, cell_fields;
+    std::vector<Vtu_field> point_fields = in.fields, cell_fields;
     if constexpr (d == 3) cell_fields.push_back(least_angles(in.points, page.cells));
     std::move(page.point_fields.begin(), page.point_fields.end(), std::back_inserter(point_fields));
     std::move(page.cell_fields.begin(), page.cell_fields.end(), std::back_inserter(cell_fields));
@@ -101,7 +121,7 @@ void say_interrupted(const Common_arguments& a, std::uint64_t done_steps, std::o
 }
 
 template <class Moving>
-void print_summary(const Tracker<Moving>& tracker) {
+void print_summary(const Run_tracker<Moving>& tracker) {
     const Run_record& r = tracker.record();
     const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
     const auto percent = [&](std::uint64_t n) { return 100.0 * static_cast<double>(n) / asked; };
@@ -125,8 +145,10 @@ void print_summary(const Tracker<Moving>& tracker) {
             count(a.cells), count(b.cells), count(a.slivers), count(b.slivers), a.dihedral_min, b.dihedral_min,
             100.0 * static_cast<double>(b.locked) / static_cast<double>(std::max<std::uint64_t>(b.vertices, 1)));
     }
-    std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n", count(r.arithmetic.total()),
-                count(r.arithmetic.filter), count(r.arithmetic.interval), count(r.arithmetic.exact));
+    if (r.input.box.empty())  // in a periodic box they are not counted
+        std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n",
+                    count(r.arithmetic.total()), count(r.arithmetic.filter), count(r.arithmetic.interval),
+                    count(r.arithmetic.exact));
     if (r.memory_peak_bytes == 0) std::printf("memory         unknown: the system does not say\n");
     else std::printf("memory         %.1f MB at the peak\n", static_cast<double>(r.memory_peak_bytes) / 1e6);
     if (r.audit.checked == 0) {
@@ -139,9 +161,13 @@ void print_summary(const Tracker<Moving>& tracker) {
     }
 }
 
-template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_mesh_2>);
-template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_mesh_3>);
-template void print_summary(const Tracker_2&);
-template void print_summary(const Tracker_3&);
+template void write_run(const Common_arguments&, const Run_tracker<Moving_mesh_2>&, Run_page<Moving_mesh_2>);
+template void write_run(const Common_arguments&, const Run_tracker<Moving_mesh_3>&, Run_page<Moving_mesh_3>);
+template void write_run(const Common_arguments&, const Run_tracker<Boxed_mesh<2>>&, Run_page<Boxed_mesh<2>>);
+template void write_run(const Common_arguments&, const Run_tracker<Boxed_mesh<3>>&, Run_page<Boxed_mesh<3>>);
+template void print_summary(const Run_tracker<Boxed_mesh<2>>&);
+template void print_summary(const Run_tracker<Boxed_mesh<3>>&);
+template void print_summary(const Run_tracker<Moving_mesh_2>&);
+template void print_summary(const Run_tracker<Moving_mesh_3>&);
 
 }  // namespace annulus::inline v1::cli

@@ -36,7 +36,7 @@ struct Run_page {
 /// Writes summary.json, iterations.csv, final.mesh, final.vtu and report.html of one run, and the additional files of
 /// its page, all or none: to --output, or to DIR.partial if the run was interrupted.
 template <class Moving>
-void write_run(const Common_arguments& arguments, const Tracker<Moving>& tracker, Run_page<Moving> page);
+void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tracker, Run_page<Moving> page);
 
 /// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration".
 [[nodiscard]] std::string title_of(const Run_record& run, const std::string& step, const std::string& names);
@@ -48,11 +48,15 @@ void say_interrupted(const Common_arguments& arguments, std::uint64_t done_steps
 
 /// Prints the summary at the end of a run.
 template <class Moving>
-void print_summary(const Tracker<Moving>& tracker);
+void print_summary(const Run_tracker<Moving>& tracker);
 
-extern template void write_run(const Common_arguments&, const Tracker_2&, Run_page<Moving_mesh_2>);
-extern template void write_run(const Common_arguments&, const Tracker_3&, Run_page<Moving_mesh_3>);
-extern template void print_summary(const Tracker_2&);
-extern template void print_summary(const Tracker_3&);
+extern template void write_run(const Common_arguments&, const Run_tracker<Moving_mesh_2>&, Run_page<Moving_mesh_2>);
+extern template void write_run(const Common_arguments&, const Run_tracker<Moving_mesh_3>&, Run_page<Moving_mesh_3>);
+extern template void write_run(const Common_arguments&, const Run_tracker<Boxed_mesh<2>>&, Run_page<Boxed_mesh<2>>);
+extern template void write_run(const Common_arguments&, const Run_tracker<Boxed_mesh<3>>&, Run_page<Boxed_mesh<3>>);
+extern template void print_summary(const Run_tracker<Boxed_mesh<2>>&);
+extern template void print_summary(const Run_tracker<Boxed_mesh<3>>&);
+extern template void print_summary(const Run_tracker<Moving_mesh_2>&);
+extern template void print_summary(const Run_tracker<Moving_mesh_3>&);
 
 }  // namespace annulus::inline v1::cli

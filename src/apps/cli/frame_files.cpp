@@ -2,7 +2,7 @@
 #include <apps/cli/frame_files.h>
 
 #include <annulus/error.h>
-#include <annulus/voronoi.h>
+#include <apps/cli/solid_mesh.h>
 #include <apps/formats/decimal.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_vtu.h>
@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace annulus::inline v1::cli {
 
@@ -18,6 +19,17 @@ namespace {
 
 template <int d>
 constexpr const char* volume_name = d == 2 ? "area" : "volume";
+
+template <int d>
+constexpr const char* facet_name = d == 2 ? "length" : "area";
+
+/// The columns that name a pair: in a periodic box with the shift of the second point, in vectors of the box.
+template <class Moving>
+std::string pair_head() {
+    std::string head = "frame,first,second,";
+    if (!Open_mesh<Moving>) head += Moving::dimension_of_space == 2 ? "s1,s2," : "s1,s2,s3,";
+    return head;
+}
 
 /// frame-000012.vtu
 std::string file_of(std::size_t step) {
@@ -63,6 +75,8 @@ void add_frames(CLI::App& app, Frame_arguments& a) {
         ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()));
     app.add_flag("--voronoi", a.voronoi,
                  "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
+    app.add_flag("--neighbors", a.neighbors,
+                 "Write pairs.csv: the pairs of neighbours of every frame, with the length or area of their facet");
     app.add_flag("--changes", a.changes,
                  "Write changes.csv: which points became neighbours, or no longer are, and when");
 }
@@ -70,15 +84,18 @@ void add_frames(CLI::App& app, Frame_arguments& a) {
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options) {
     if (!frames.any()) return;
     if (common.output.empty())
-        throw Error(Error_code::usage, "--every, --voronoi and --changes write files: say where with --output DIR");
+        throw Error(Error_code::usage,
+                    "--every, --voronoi, --neighbors and --changes write files: say where with --output DIR");
     if (frames.voronoi && options.tolerance != Tolerance_kind::certified)
         throw Error(Error_code::usage, "--voronoi needs Delaunay triangulations, that is, --tolerance certified");
+    if (frames.neighbors && options.tolerance != Tolerance_kind::certified)
+        throw Error(Error_code::usage, "--neighbors needs Delaunay triangulations, that is, --tolerance certified");
     options.report_changes = frames.changes;
 }
 
 template <class Moving>
 Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arguments& frames,
-                                 Tracker<Moving>& tracker)
+                                 Run_tracker<Moving>& tracker)
     : frames_(frames), dt_(tracker.triangulation()) {
     for (std::size_t i = 0; i < dt_.index_bound(); ++i) name(static_cast<Index>(i), i);
     if (!frames.any()) return;
@@ -90,7 +107,8 @@ Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arg
     };
     if (frames.voronoi)
         voronoi_ = begin("voronoi.csv", std::string("frame,id,") + volume_name<d> + ",neighbours,unbounded");
-    if (frames.changes) changes_ = begin("changes.csv", "frame,first,second,change");
+    if (frames.neighbors) pairs_ = begin("pairs.csv", pair_head<Moving>() + facet_name<d>);
+    if (frames.changes) changes_ = begin("changes.csv", pair_head<Moving>() + "change");
     tracker.listen([this](const Move_result& report, Index arrived) { hear(report, arrived); });
 }
 
@@ -104,7 +122,7 @@ void Frame_files<Moving>::name(Index v, std::uint64_t id) {
     const auto at = static_cast<std::size_t>(v);
     if (at >= id_.size()) id_.resize(at + 1);
     id_[at] = id;
-    if (frames_.changes) pairs_.name(v, id);
+    if (frames_.changes) events_.name(v, id);
 }
 
 template <class Moving>
@@ -119,13 +137,25 @@ void Frame_files<Moving>::hear(const Move_result& report, Index arrived) {
         name(arrived, arriving_.front());
         arriving_.pop_front();
     }
-    if (frames_.changes) pairs_.note(report.changed, report.gone);
+    if (frames_.changes) events_.note(report);
 }
 
 template <class Moving>
-void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record) {
-    volume_ = voronoi_volumes<d>(dt_.points(), cells);
-    neighbours_ = voronoi_neighbour_counts<d>(dt_.index_bound(), cells);
+void Frame_files<Moving>::append_pair(std::string& text, std::uint64_t number, std::uint64_t first,
+                                      std::uint64_t second, const Shift<d>& shift) const {
+    append_decimal(text, number);
+    text += ',';
+    append_id(text, first);
+    text += ',';
+    append_id(text, second);
+    text += ',';
+    if (Open_mesh<Moving>) return;
+    for (const auto s : shift) text += std::to_string(s) + ',';
+}
+
+template <class Moving>
+void Frame_files<Moving>::write_voronoi(std::uint64_t number, Frame_record& record) {
+    cells_ = cell_measures(dt_);
     std::vector<std::size_t> vertices;
     for (std::size_t i = 0; i < dt_.index_bound(); ++i)
         if (is_present(i)) vertices.push_back(i);
@@ -136,53 +166,67 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, const Mesh_cells<d
         text += frame;
         append_id(text, id_[i]);
         text += ',';
-        if (std::isfinite(volume_[i])) append_decimal(text, volume_[i]);
+        if (std::isfinite(cells_.volume[i])) append_decimal(text, cells_.volume[i]);
         text += ',';
-        append_decimal(text, neighbours_[i]);
-        text += std::isfinite(volume_[i]) ? ",0\n" : ",1\n";
+        append_decimal(text, cells_.neighbours[i]);
+        text += std::isfinite(cells_.volume[i]) ? ",0\n" : ",1\n";
     }
     voronoi_->write(text);
-    record.voronoi = summary_of(volume_, neighbours_, vertices);
+    record.voronoi = summary_of(cells_.volume, cells_.neighbours, vertices);
 }
 
 template <class Moving>
-void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& record) {
-    Frame_record::Neighbour_pairs pairs;
-    const std::string frame = std::to_string(number) + ",";
+void Frame_files<Moving>::write_pairs(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs) {
+    struct Row {
+        std::uint64_t first, second;
+        const Facet_pair<d>* pair;
+    };
+    std::vector<Row> rows;
+    for (const Facet_pair<d>& p : pairs) {
+        const std::uint64_t i = id_[static_cast<std::size_t>(p.first)], j = id_[static_cast<std::size_t>(p.second)];
+        rows.push_back({std::min(i, j), std::max(i, j), &p});  // only an open mesh has indices in another order
+    }
+    std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+        return std::tie(a.first, a.second, a.pair->shift) < std::tie(b.first, b.second, b.pair->shift);
+    });
     std::string text;
-    for (const Neighbour_change& c : pairs_.take()) {
-        ++(c.made ? pairs.made : pairs.broken);
-        text += frame;
-        append_id(text, c.first);
-        text += ',';
-        append_id(text, c.second);
-        text += c.made ? ",made\n" : ",broken\n";
+    for (const Row& row : rows) {
+        append_pair(text, number, row.first, row.second, row.pair->shift);
+        if (std::isfinite(row.pair->measure)) append_decimal(text, row.pair->measure);
+        text += '\n';
+    }
+    pairs_->write(text);
+}
+
+template <class Moving>
+void Frame_files<Moving>::write_changes(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs,
+                                        Frame_record& record) {
+    Frame_record::Neighbour_pairs count;
+    const auto changes = events_.take(dt_, pairs);
+    std::string text;
+    const bool is_first = records_.empty();  // there is no frame before it
+    for (const Pair_change<d>& c : changes) {
+        if (is_first) break;
+        ++(c.made ? count.made : count.broken);
+        append_pair(text, number, c.first, c.second, c.shift);
+        text += c.made ? "made\n" : "broken\n";
     }
     changes_->write(text);
-    if (!records_.empty()) record.pairs = pairs;  // not for the first frame: there is no frame before it
+    if (!is_first) record.pairs = count;
 }
 
 template <class Moving>
-void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& cells) {
-    std::vector<Index> place(dt_.index_bound(), none);
-    std::vector<Coordinates<d>> points;
+void Frame_files<Moving>::write_vtu(std::uint64_t number) {
+    const Solid_mesh<d> mesh = solid_mesh(dt_);
     std::vector<std::uint64_t> ids;
     std::vector<std::int64_t> neighbours;
     std::vector<double> volume;
-    for (std::size_t i = 0; i < place.size(); ++i) {
-        if (!is_present(i)) continue;
-        place[i] = static_cast<Index>(points.size());
-        points.push_back(dt_.points()[i]);
+    for (const Index v : mesh.vertex) {
+        const auto i = static_cast<std::size_t>(v);
         ids.push_back(id_[i]);
         if (!frames_.voronoi) continue;
-        volume.push_back(volume_[i]);
-        neighbours.push_back(neighbours_[i]);
-    }
-    std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> solid;
-    for (auto cell : cells.vertices) {
-        if (cell[d] == none) continue;  // the cell of a flat set
-        for (Index& v : cell) v = place[static_cast<std::size_t>(v)];
-        solid.push_back(cell);
+        volume.push_back(cells_.volume[i]);
+        neighbours.push_back(cells_.neighbours[i]);
     }
     std::vector<Vtu_field> fields;
     if (ids_ != nullptr && ids_->have_signs())
@@ -193,18 +237,19 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number, const Mesh_cells<d>& c
         fields.push_back({"neighbours", std::move(neighbours)});
     }
     series_.push_back({file_of(records_.size()), number});
-    scratch_->write(series_.back().file, annulus::write_vtu<d>(points, solid, fields));
+    scratch_->write(series_.back().file, annulus::write_vtu<d>(mesh.points, mesh.cells, fields));
 }
 
 template <class Moving>
 void Frame_files<Moving>::frame(std::uint64_t number) {
     Frame_record record{number, dt_.number_of_vertices()};
     const bool pictured = frames_.every > 0 && records_.size() % frames_.every == 0;
-    Mesh_cells<d> cells;
-    if (pictured || frames_.voronoi) cells = dt_.cells();
-    if (frames_.voronoi) write_voronoi(number, cells, record);
-    if (frames_.changes) write_changes(number, record);
-    if (pictured) write_vtu(number, cells);
+    std::vector<Facet_pair<d>> pairs;
+    if (frames_.neighbors || (frames_.changes && !Open_mesh<Moving>)) pairs = facet_pairs(dt_);
+    if (frames_.voronoi) write_voronoi(number, record);
+    if (frames_.neighbors) write_pairs(number, pairs);
+    if (frames_.changes) write_changes(number, pairs, record);
+    if (pictured) write_vtu(number);
     records_.push_back(record);
 }
 
@@ -212,6 +257,7 @@ template <class Moving>
 void Frame_files<Moving>::write(Result_files& out) {
     if (!scratch_) return;
     if (voronoi_) voronoi_->commit();
+    if (pairs_) pairs_->commit();
     if (changes_) changes_->commit();
     if (frames_.every > 0) scratch_->write("frames.pvd", write_pvd(series_));
     if (frames_.every > 0 && ids_ != nullptr && ids_->are_words()) {
@@ -228,5 +274,7 @@ void Frame_files<Moving>::write(Result_files& out) {
 
 template class Frame_files<Moving_mesh_2>;
 template class Frame_files<Moving_mesh_3>;
+template class Frame_files<Boxed_mesh<2>>;
+template class Frame_files<Boxed_mesh<3>>;
 
 }  // namespace annulus::inline v1::cli

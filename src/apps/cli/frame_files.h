@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/measure/neighbour_changes.h>
 #include <apps/cli/arguments.h>
+#include <apps/cli/pair_changes.h>
 #include <apps/cli/result_files.h>
-#include <apps/cli/tracker.h>
+#include <apps/cli/run_tracker.h>
 #include <apps/formats/point_ids.h>
 #include <apps/formats/text_output.h>
 #include <apps/formats/write_pvd.h>
@@ -22,18 +22,19 @@ struct Frame_arguments {
     std::uint64_t every = 0;  ///< 0: no frames
     bool voronoi = false;
     bool changes = false;
+    bool neighbors = false;
 
-    [[nodiscard]] bool any() const { return every > 0 || voronoi || changes; }
+    [[nodiscard]] bool any() const { return every > 0 || voronoi || changes || neighbors; }
 };
 
 void add_frames(CLI::App& app, Frame_arguments& arguments);
 /// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
 void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
-/// The files of --every, --voronoi and --changes: frames.pvd and its frames, voronoi.csv, changes.csv; ids.csv where
-/// the frames have numbers for ids that are words. They are written during the run, next to the directory of --output,
-/// and moved there at its end. Memory does not depend on the number of frames, except for the data of the curves on the
-/// page.
+/// The files of --every, --voronoi, --neighbors and --changes: frames.pvd and its frames, voronoi.csv, pairs.csv,
+/// changes.csv; ids.csv where the frames have numbers for ids that are words. They are written during the run, next to
+/// the directory of --output, and moved there at its end. Memory does not depend on the number of frames, except for
+/// the data of the curves on the page.
 template <class Moving>
 class Frame_files {
   public:
@@ -41,7 +42,7 @@ class Frame_files {
 
     /// Becomes the listener of the tracker. This object must exist as long as the tracker makes steps. The id of a
     /// vertex is its index until `name` sets another.
-    Frame_files(const Common_arguments& common, const Frame_arguments& frames, Tracker<Moving>& tracker);
+    Frame_files(const Common_arguments& common, const Frame_arguments& frames, Run_tracker<Moving>& tracker);
     Frame_files(const Frame_files&) = delete;
     Frame_files& operator=(const Frame_files&) = delete;
 
@@ -60,26 +61,31 @@ class Frame_files {
   private:
     void hear(const Move_result& report, Index arrived);
     void append_id(std::string& text, std::uint64_t id) const;
-    void write_voronoi(std::uint64_t number, const Mesh_cells<d>& cells, Frame_record& record);
-    void write_changes(std::uint64_t number, Frame_record& record);
-    void write_vtu(std::uint64_t number, const Mesh_cells<d>& cells);
+    /// "12,7,9,0,-1,0," with the shift in a periodic box: the columns of pair_head.
+    void append_pair(std::string& text, std::uint64_t number, std::uint64_t first, std::uint64_t second,
+                     const Shift<d>& shift) const;
+    void write_voronoi(std::uint64_t number, Frame_record& record);
+    void write_pairs(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs);
+    void write_changes(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs, Frame_record& record);
+    void write_vtu(std::uint64_t number);
     [[nodiscard]] bool is_present(std::size_t i) const;
 
     Frame_arguments frames_;
     const Moving& dt_;
     std::unique_ptr<Result_files> scratch_;
-    std::unique_ptr<Text_output> voronoi_, changes_;
+    std::unique_ptr<Text_output> voronoi_, pairs_, changes_;
     std::vector<std::uint64_t> id_;
     const Point_ids* ids_ = nullptr;  ///< null: they are numbers
     std::deque<std::uint64_t> arriving_;
-    Neighbour_changes<d> pairs_;
+    Pair_changes<Moving> events_;
     std::vector<Frame_record> records_;
     std::vector<Pvd_entry> series_;
-    std::vector<double> volume_;  // of this frame, with --voronoi
-    std::vector<Index> neighbours_;
+    Cell_measures cells_;  // of this frame, with --voronoi
 };
 
 extern template class Frame_files<Moving_mesh_2>;
 extern template class Frame_files<Moving_mesh_3>;
+extern template class Frame_files<Boxed_mesh<2>>;
+extern template class Frame_files<Boxed_mesh<3>>;
 
 }  // namespace annulus::inline v1::cli

@@ -21,7 +21,7 @@ template <int d>
     return input;
 }
 
-/// Prints the lines `dimension` and `columns` on standard output, if there is an input.
+/// Prints the lines `dimension`, `columns` and, in a periodic box, `box` on standard output, if there is an input.
 void print_input(const Input_record& input, int dimension);
 
 }  // namespace annulus::inline v1::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/mesh_3.h>
+#include <apps/cli/solid_mesh.h>
 
 #include <annulus/kernel/delaunay_mesh.h>
 #include <apps/motion/mesh_quality.h>
@@ -12,10 +13,14 @@ namespace annulus::inline v1::cli {
 
 void Mesh_3::read(const Moving_mesh_3& dt) {
     Audit_input<3> in = dt.audit_input();
-    points_ = std::move(in.points);
     std::erase_if(in.cells, [](const auto& c) { return c[3] == none; });  // the cells of a flat set
-    kept_.read(std::move(in.cells), points_.size());
-    all_.assign(cells().vertices.size(), 1);
+    read(std::move(in.points), std::move(in.cells));
+}
+
+void Mesh_3::read(std::vector<Coordinates<3>> points, std::vector<std::array<Index, 4>> cells) {
+    points_ = std::move(points);
+    kept_.read(std::move(cells), points_.size());
+    all_.assign(kept_.cells().vertices.size(), 1);
     domain_ = false;
 }
 
@@ -75,6 +80,13 @@ Picture picture_of(const Moving_mesh_3& dt, std::string caption) {
     Mesh_3 mesh;
     mesh.read(dt);
     return mesh.cut(std::move(caption));
+}
+
+Picture picture_of(const Boxed_mesh<3>& dt, std::string caption) {
+    Solid_mesh<3> solid = solid_mesh(dt);
+    Mesh_3 mesh;
+    mesh.read(std::move(solid.points), std::move(solid.cells));
+    return mesh.cut(std::move(caption) + with_images);
 }
 
 }  // namespace annulus::inline v1::cli

@@ -26,6 +26,7 @@ class Mesh_3 {
 
     /// Reads the cells; every cell is in the domain.
     void read(const Moving_mesh_3& dt);
+    void read(std::vector<Coordinates<3>> points, std::vector<std::array<Index, 4>> cells);
     /// A cell is in the domain if its circumcentre is. The cells are read again only if they have changed.
     void read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& domain, int threads);
 
@@ -48,5 +49,6 @@ class Mesh_3 {
 
 /// All cells of the triangulation, cut as above.
 [[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption);
+[[nodiscard]] Picture picture_of(const Boxed_mesh<3>& dt, std::string caption);
 
 }  // namespace annulus::inline v1::cli

@@ -30,7 +30,7 @@ void print_head(const Advice_record& r) {
         std::printf("%s[%.6g, %.6g]", k > 0 ? " x " : "", m.low[k], m.high[k]);
     std::printf(", of the points\n");
     if (!r.input.ignored.empty())
-        std::printf("periodic box   ignored here; replay takes such a file with --open only\n");
+        std::printf("periodic box   ignored here, as by replay with --open; replay itself takes it\n");
     std::printf("mean spacing   %.6g\n", m.spacing);
     if (m.frames > 1 && m.least_distance != m.most_distance)
         std::printf("frames         their numbers are %llu to %llu apart: see --absent-frames of replay\n",

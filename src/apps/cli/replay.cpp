@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/error.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
-#include <apps/cli/frame_change.h>
+#include <apps/cli/frame_follower.h>
 #include <apps/cli/mesh_3.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/replay_scene.h>
@@ -13,7 +14,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -29,38 +29,34 @@ struct Replay_call {
 };
 
 /// The solid cells in an order that does not depend on the history of the triangulation.
-std::vector<std::array<Index, 3>> ordered_cells(const Moving_mesh_2&) { return {}; }
-std::vector<std::array<Index, 4>> ordered_cells(const Moving_mesh_3& dt) {
+template <class Moving>
+std::vector<typename Run_page<Moving>::Cell> ordered_cells(const Moving&) {
+    return {};
+}
+template <>
+std::vector<Run_page<Moving_mesh_3>::Cell> ordered_cells(const Moving_mesh_3& dt) {
     Mesh_3 mesh;
     mesh.read(dt);
     return mesh.cells().vertices;
 }
-
-/// How many points appeared, disappeared, and were merged with others.
-struct Traffic {
-    std::uint64_t arrived = 0, left = 0, merged = 0;
-
-    [[nodiscard]] std::string in_words() const {
-        std::string text = counted(arrived, "point") + " appeared, " + std::to_string(left) + " disappeared";
-        if (merged > 0) text += ", " + std::to_string(merged) + " merged with others at their place";
-        return text + ".";
-    }
-};
 
 /// A triangulation that moves from frame to frame, and the data that is written for each frame.
 template <class Moving>
 class Replay {
   public:
     static constexpr int d = Moving::dimension_of_space;
+    using Follows = typename Frame_follower<Moving>::Follows;
 
     Replay(const Replay_call& a, const Options& options, Replayed_frames<d>& frames)
-        : frames_(frames), films_(!a.common.output.empty()), tracker_(first_frame(a, options)), page_{.step = "step"} {
+        : frames_(frames),
+          films_(!a.common.output.empty()),
+          follower_(frames),
+          tracker_(first_frame(a, options)),
+          page_{.step = "step"} {
         if (!films_) tracker_.forget_steps();
         else files_.emplace(a.common, a.frames, tracker_);
         if (files_) files_->write_ids_as(frames.reader().ids());
-        present_ = {std::move(frame_.id), std::vector<Index>(frame_.x.size())};
-        std::iota(present_.index.begin(), present_.index.end(), Index{0});
-        for (std::size_t k = 0; files_ && k < present_.id.size(); ++k) files_->name(present_.index[k], present_.id[k]);
+        follower_.begin(frame_, files());
         note_frame();
         if (frames_.at_end()) tracker_.ends_after(0);
     }
@@ -69,26 +65,13 @@ class Replay {
     bool next() {
         if (!frames_.next(frame_)) return false;
         if (frames_.at_end()) tracker_.ends_after(tracker_.record().iterations + 1);
-        Frame_change<d> change(present_, tracker_.triangulation().points(), frame_);
-        if (files_) {
-            std::vector<std::uint64_t> ids;
-            for (std::size_t k = 0; k < change.index.size(); ++k)
-                if (change.index[k] == none) ids.push_back(frame_.id[k]);
-            files_->arriving(ids);
-        }
-        const auto indices = tracker_.follow(change.leave, change.x, change.arrive, 0, change.mean(), change.max);
-        auto arrived = indices.begin();
-        for (Index& index : change.index)
-            if (index == none) index = *arrived++;
-        present_ = {std::move(frame_.id), std::move(change.index)};
-        traffic_.arrived += indices.size();
-        traffic_.left += change.leave.size();
+        follower_.step(tracker_, frame_, files(), traffic_);
         traffic_.merged += frame_.merged;
         note_frame();
         return true;
     }
 
-    [[nodiscard]] Tracker<Moving>& tracker() { return tracker_; }
+    [[nodiscard]] Follows& tracker() { return tracker_; }
     [[nodiscard]] const Traffic& traffic() const { return traffic_; }
 
     void write(const Common_arguments& arguments, std::vector<std::string> notes) {
@@ -101,13 +84,19 @@ class Replay {
     }
 
   private:
-    Tracker<Moving> first_frame(const Replay_call& a, const Options& options) {
+    Follows first_frame(const Replay_call& a, const Options& options) {
         (void)frames_.next(frame_);
         traffic_.merged = frame_.merged;
         if (films_) require_writable(a.common);
-        return {a.tracking.strategy, frame_.x,         options, frames_.spacing(),
-                unknown_iterations,  a.tracking.audit, films_};
+        return {a.tracking.strategy,
+                follower_.make(frame_, options),
+                options,
+                frames_.spacing(),
+                unknown_iterations,
+                a.tracking.audit,
+                films_};
     }
+    Frame_files<Moving>* files() { return files_ ? &*files_ : nullptr; }
     void note_frame() {
         if (!files_) return;
         files_->frame(frame_.number);
@@ -120,10 +109,10 @@ class Replay {
     bool films_;
     Frame_points<d> frame_;
     Traffic traffic_;
-    Tracker<Moving> tracker_;
+    Frame_follower<Moving> follower_;
+    Follows tracker_;
     Run_page<Moving> page_;
     std::optional<Frame_files<Moving>> files_;
-    Present present_;
     std::string caption_;  // of the last frame
 };
 
@@ -132,7 +121,7 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
            Clock::time_point begin) {
     Replayed_frames<Moving::dimension_of_space> frames(motion, a.replay);
     Replay<Moving> run(a, options, frames);
-    const Tracker<Moving>& tracker = run.tracker();
+    const Run_tracker<Moving>& tracker = run.tracker();
     const bool files = !a.common.output.empty();
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
@@ -150,7 +139,7 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
         fault = error;
     }
     run.tracker().finish(command, a.common.seed, since(begin));
-    run.tracker().input(motion.input());
+    run.tracker().input(frames.input(motion));
     const std::vector<std::string> notes{run.traffic().in_words()};
     if (files) run.write(a.common, notes);
     a.common.say_notes(motion.reader.notes());
@@ -169,11 +158,26 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
     return tracker.record().audit.failed == 0 ? done : audit_failed;
 }
 
+/// In a periodic box a step flips or rebuilds: no tolerances, no points that are inserted again.
+void require_periodic(const Tracking_arguments& tracking) {
+    if ((tracking.strategy != "auto" && tracking.strategy != "rebuild") || tracking.tolerance != "certified")
+        throw Error(Error_code::usage,
+                    "in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified, or "
+                    "--open for open boundaries");
+}
+
 int run(const Replay_call& a, const std::string& command) {
     const auto begin = Clock::now();
+    if (a.replay.open && !a.replay.box.empty()) throw Error(Error_code::usage, "--open and --box exclude each other");
+    if (!a.replay.box.empty()) (void)parse_box(a.replay.box);
     Options options = options_of(a.tracking, a.common);  // reports wrong usage before a file is opened
     prepare(a.frames, a.common, options);
     Opened_motion motion = open_motion(a.replay);
+    if (motion.periodic) {
+        require_periodic(a.tracking);
+        return motion.dimension == 2 ? replay<Boxed_mesh<2>>(a, options, command, motion, begin)
+                                     : replay<Boxed_mesh<3>>(a, options, command, motion, begin);
+    }
     return motion.dimension == 2 ? replay<Moving_mesh_2>(a, options, command, motion, begin)
                                  : replay<Moving_mesh_3>(a, options, command, motion, begin);
 }
@@ -184,6 +188,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
     const auto a = std::make_shared<Replay_call>();
     add_replay(*sub, a->replay);
+    add_box(*sub, a->replay);
     add_frames(*sub, a->frames);
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);

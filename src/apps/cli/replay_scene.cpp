@@ -4,6 +4,7 @@
 #include <apps/formats/decimal.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -15,7 +16,7 @@ Motion_options Replay_arguments::motion() const {
             : absent == "skip" ? Absent_frames::skip
                                : Absent_frames::refuse,
             format,
-            {.ignored = open},
+            {.taken = boxed && !open && box.empty(), .replaced = !box.empty(), .ignored = open},
             parse_column_choice(columns)};
 }
 
@@ -40,6 +41,16 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
         ->check(CLI::IsMember({"refuse", "empty", "skip"}))
         ->capture_default_str();
     add_open(app, a.open);
+}
+
+void add_box(CLI::App& app, Replay_arguments& a) {
+    a.boxed = true;
+    app.get_option("--open")->description(
+        "Ignore the periodic box of a file: points are taken as they are, with open boundaries");
+    app.add_option("--box", a.box,
+                   "Periodic box, in place of that of the file: the lengths of its edges, Lx,Ly or Lx,Ly,Lz, or its\n"
+                   "vectors, 4 or 9 numbers, one vector after the other")
+        ->type_name("LIST");
 }
 
 namespace {
@@ -70,6 +81,8 @@ Opened_motion open_motion(const Replay_arguments& a) {
             append_decimal(motion.why, motion.first.position.front()[2]);
         }
     }
+    motion.periodic =
+        !a.box.empty() || (motion.first.box && is_periodic(*motion.first.box, motion.dimension, motion.reader.name()));
     return motion;
 }
 
@@ -83,12 +96,44 @@ template <int d>
 Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_arguments& arguments)
     : reader_(motion.reader),
       frame_(std::move(motion.first)),
+      boxes_(motion.periodic, arguments.box),
       empty_(motion.empty.begin(), motion.empty.end()),
       coincident_(arguments.on_coincident()),
       first_(points_of<d>(reader_.name(), frame_, coincident_, reader_.ids())),
       spacing_(spacing_of<d>(first_->x)) {
     if (d == 2 && arguments.dimension == 0 && reader_.has_z()) z_ = frame_.position.front()[2];
     require_flat();
+    boxes_.take(frame_, reader_.name());
+    if (boxes_.periodic())
+        spacing_ = std::pow(box().volume() / static_cast<double>(std::max<std::size_t>(first_->x.size(), 1)), 1.0 / d);
+}
+
+template <int d>
+Input_record Replayed_frames<d>::input(const Opened_motion& motion) const {
+    Input_record result = motion.input();
+    if (!boxes_.periodic()) return result;
+    result.box_from = boxes_.what();
+    for (const auto& vector : box().vectors()) result.box.emplace_back(vector.begin(), vector.end());
+    return result;
+}
+
+template <int d>
+void Replayed_frames<d>::fail(const Error& error, const Frame_points<d>& points) const {
+    std::vector<std::size_t> places;  // in the frame as it was read
+    std::string ids;
+    for (const std::int64_t v : error.vertices()) {
+        const std::uint64_t id = points.id[static_cast<std::size_t>(v)];
+        places.push_back(
+            static_cast<std::size_t>(std::lower_bound(frame_.id.begin(), frame_.id.end(), id) - frame_.id.begin()));
+        ids += (ids.empty() ? "" : ids.size() > 60 ? "," : ", ") + reader_.ids().text(id);
+        if (places.size() == 8) break;
+    }
+    const bool duplicate = error.code() == Error_code::duplicate_point;
+    const std::string frame = "in frame " + std::to_string(points.number) + " ";
+    throw Input_error(error.code(), reader_.name(), frame_.line[places.front()],
+                      duplicate ? frame + "the points of ids " + ids + " are at one place of the periodic box"
+                                : frame + "the point of id " + ids + ": " + error.what(),
+                      duplicate ? "points that differ" : "a point nearer to the box");
 }
 
 /// Checks the z of later frames of a file that was taken for a 2D motion because of its first frame.
@@ -116,6 +161,7 @@ bool Replayed_frames<d>::next(Frame_points<d>& frame) {
     } else {
         if (!reader_.next(frame_)) return false;
         require_flat();
+        boxes_.take(frame_, reader_.name());
         frame = points_of<d>(reader_.name(), frame_, coincident_, reader_.ids());
     }
     return true;

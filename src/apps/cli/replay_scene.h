@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/error.h>
 #include <apps/cli/arguments.h>
+#include <apps/cli/frame_box.h>
 #include <apps/cli/input.h>
 #include <apps/formats/frame_points.h>
 #include <apps/formats/motion_reader.h>
@@ -22,6 +24,8 @@ struct Replay_arguments {
     std::string format;     ///< if not that of the extension
     bool open = false;      ///< ignore a periodic box
     std::string columns{};  ///< of a table: "id=particle,frame=t"
+    bool boxed = false;     ///< periodic boxes are taken; else refused
+    std::string box{};      ///< --box: in place of those of the file
 
     [[nodiscard]] Coincident on_coincident() const {
         return coincident == "merge" ? Coincident::merge : Coincident::refuse;
@@ -30,6 +34,8 @@ struct Replay_arguments {
 };
 
 void add_replay(CLI::App& app, Replay_arguments& arguments);
+/// Of a command that takes periodic boxes: --box.
+void add_box(CLI::App& app, Replay_arguments& arguments);
 
 /// A motion whose first frames, up to one with points, have been read to find its dimension.
 struct Opened_motion {
@@ -37,7 +43,8 @@ struct Opened_motion {
     std::vector<std::uint64_t> empty{};  ///< numbers of the frames without points that come first
     Frame first{};
     int dimension = 2;
-    std::string why{};  ///< why points with a z are a 2D motion: "--dim 2 drops z"
+    std::string why{};      ///< why points with a z are a 2D motion: "--dim 2 drops z"
+    bool periodic = false;  ///< in all these dimensions
 
     /// How the file was interpreted, up to where it has been read.
     [[nodiscard]] Input_record input() const;
@@ -51,7 +58,13 @@ class Replayed_frames {
   public:
     Replayed_frames(Opened_motion& motion, const Replay_arguments& arguments);
 
-    /// The unit of length: see spacing_of.
+    /// The box of the last frame. Precondition: the motion is periodic.
+    [[nodiscard]] const Box<d>& box() const { return boxes_.now(); }
+    /// How the file was interpreted, up to where it has been read.
+    [[nodiscard]] Input_record input(const Opened_motion& motion) const;
+    /// Throws Input_error for an error of the triangulation of this frame, the last one, that names vertices.
+    [[noreturn]] void fail(const Error& error, const Frame_points<d>& points) const;
+    /// The unit of length: see spacing_of; in a box the d-th root of its volume per point.
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] bool at_end();
     bool next(Frame_points<d>& frame);
@@ -64,6 +77,7 @@ class Replayed_frames {
 
     Motion_reader& reader_;
     Frame frame_;
+    Frame_boxes<d> boxes_;
     std::deque<std::uint64_t> empty_;
     Coincident coincident_;
     std::optional<Frame_points<d>> first_;

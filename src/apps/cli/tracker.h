@@ -2,48 +2,25 @@
 #pragma once
 
 #include <annulus/moving_mesh.h>
-#include <apps/report/report.h>
-#include <apps/report/run_record.h>
+#include <apps/cli/run_tracker.h>
 
-#include <chrono>
-#include <functional>
-#include <limits>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace annulus::inline v1::cli {
 
-/// Whether the reported call changed the cells of the triangulation.
-[[nodiscard]] inline bool changes_cells(const Move_result& r) {
-    return r.statistics.flips + r.moves.reinserted + r.moves.rebuilt + r.moves.flipped > 0;
-}
-
-/// The number of iterations of a motion whose end is not known at its beginning.
-inline constexpr std::uint64_t unknown_iterations = std::numeric_limits<std::uint64_t>::max();
-
-/// One strategy that follows a motion: its triangulation (a Moving_mesh), what it did, and the measurements.
+/// One strategy that follows a motion with open boundaries: its triangulation is a Moving_mesh.
 template <class Moving>
-class Tracker {
+class Tracker : public Run_tracker<Moving> {
   public:
     static constexpr int d = Moving::dimension_of_space;
-    /// Lengths are recorded in units of `spacing`. `iterations` decides where measurements are taken: at the first
-    /// 20, then about 25 a decade, and the last. Construction and the first tolerances are timed apart from the
-    /// steps, whatever the strategy.
+    using Run_tracker<Moving>::Run_tracker;
+    using Run_tracker<Moving>::step;
+
+    /// Builds the triangulation of these points; see Run_tracker.
     Tracker(std::string name, std::span<const Coordinates<d>> points, const Options& options, double spacing,
             std::uint64_t iterations, std::uint64_t audit_every, bool measure);
-
-    /// Sets the number of iterations if it was unknown. To be called before the last one.
-    void ends_after(std::uint64_t iterations) { iterations_ = iterations; }
-    /// From now on only the last step is kept, so that memory does not depend on the number of steps.
-    void forget_steps() { keeps_steps_ = false; }
-
-    /// Sets how the file with the points was interpreted.
-    void input(Input_record input) { record_.input = std::move(input); }
-
-    /// Called with the report of each call of the triangulation, and with the vertex that it inserted, or `none`.
-    using Listener = std::function<void(const Move_result& report, Index arrived)>;
-    void listen(Listener listener) { listener_ = std::move(listener); }
 
     /// Follows one time step. The motion measures its seconds and displacements itself.
     void step(std::span<const Coordinates<d>> x, double motion_seconds, double displacement_mean,
@@ -54,49 +31,9 @@ class Tracker {
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                               std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);
-    /// Set the quality of the mesh before the first step, and after the last step.
-    void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
-    void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
-    /// Sets the cells with the least dihedral angles at the end.
-    void worst_cells(std::vector<Worst_cell> cells) { record_.worst = std::move(cells); }
-    /// Adds to the time of the motion in the last step.
-    void add_motion(double seconds);
-    /// Completes the record at the end of the run.
-    void finish(const std::string& command, std::uint64_t seed, double total_seconds);
-
-    [[nodiscard]] const Moving& triangulation() const { return dt_; }
-    [[nodiscard]] const Run_record& record() const { return record_; }
-    [[nodiscard]] const std::vector<Width_distribution>& widths() const { return widths_; }
-    [[nodiscard]] const std::string& first_fault() const { return first_fault_; }
-    [[nodiscard]] const Move_result& totals() const { return totals_; }
-    /// Share of all moves so far that were within tolerance.
-    [[nodiscard]] double share_within() const;
-    /// Whether the last step changed cells.
-    [[nodiscard]] bool cells_changed() const { return cells_changed_; }
     /// The cells in a canonical order, each with its vertices in a canonical order: equal for equal triangulations.
-    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> canonical_cells() const;
-
-  private:
-    [[nodiscard]] bool measured_at(std::uint64_t iteration) const;
-    void audit();
-    void record_step(const Move_result& report, double seconds, double motion_seconds, double displacement_mean,
-                     double displacement_max);
-
-    void hear(Move_result& report, Index arrived);
-
-    std::chrono::steady_clock::time_point begun_;  // before the triangulation is built
-    Moving dt_;
-    Listener listener_;
-    Run_record record_;
-    Move_result totals_;
-    std::vector<Width_distribution> widths_;
-    std::string first_fault_;
-    double spacing_;
-    std::uint64_t iterations_;
-    std::uint64_t audit_every_;
-    bool measure_;
-    bool keeps_steps_ = true;
-    bool cells_changed_ = true;
+    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(Moving::dimension_of_space) + 1>>
+    canonical_cells() const;
 };
 
 extern template class Tracker<Moving_mesh_2>;
@@ -107,5 +44,6 @@ using Tracker_3 = Tracker<Moving_mesh_3>;
 
 /// The triangulation as a picture for the report.
 [[nodiscard]] Picture picture_of(const Moving_mesh_2& dt, std::string caption);
+[[nodiscard]] Picture picture_of(const Boxed_mesh<2>& dt, std::string caption);
 
 }  // namespace annulus::inline v1::cli

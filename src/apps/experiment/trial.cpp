@@ -128,7 +128,7 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
 }
 
 void run_file(const Trial& t, Lines& lines) {
-    const Periodic_box box{t.open, "open = true in its [[grid]]"};
+    const Periodic_box box{.ignored = t.open, .how = "open = true in its [[grid]]"};
     if (!t.frames.empty() || t.every > 0) {
         Motion_reader reader(t.path, {Absent_frames::skip, "", box});
         Frame frame;

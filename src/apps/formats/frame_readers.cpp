@@ -14,6 +14,7 @@ void Raw_frame::clear() {
     id.clear();
     number = line = 0;
     ids_are_places = false;
+    box.reset();
 }
 
 bool Frame_reader::at_end() {
@@ -61,12 +62,12 @@ void Frame_reader::conclude() {
 }
 
 void Frame_reader::meet_box(const std::string& what) {
+    if (options_.box.replaced) return;
     if (!options_.box.ignored)
-        reader_.fail(what + ": a periodic box, and these are not supported",
+        reader_.fail(what + ": a periodic box, and these are not supported here",
                      std::string(options_.box.how) + ", by which points are taken as they stand, with open boundaries");
     if (std::exchange(ignored_box_, true)) return;
-    note(reader_.number(),
-         what + " ignored: periodic boxes are not supported, points are taken as they stand, with open boundaries");
+    note(reader_.number(), what + " ignored: points are taken as they stand, with open boundaries");
 }
 
 std::unique_ptr<Frame_reader> frames_of(File_bytes& bytes, Format format, const Frame_options& options) {

@@ -9,6 +9,7 @@
 #include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
 #include <apps/formats/xyz_guess.h>
+#include <apps/motion/file_box.h>
 
 #include <array>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct Raw_frame {
     std::uint64_t number = 0;       ///< the frame's number in the file, or its position, from 0
     std::uint64_t line = 0;         ///< where it begins
     bool ids_are_places = false;    ///< the file has no ids
+    std::optional<File_box> box{};  ///< where boxes are taken
 
     /// Empties it, and keeps its memory for the next one.
     void clear();
@@ -164,7 +166,8 @@ class Lammps_frames : public Frame_reader {
     void refuse_more(const Raw_frame& frame) const override;
     [[nodiscard]] bool is_item(std::string_view name) const;
     void require_values(std::size_t columns, std::string_view what);
-    [[nodiscard]] Box read_box();
+    [[nodiscard]] Box read_box(Raw_frame& frame);
+    void read_bounds(Box& box, bool tilted, bool general);
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] Columns find_columns(bool has_box) const;
     [[nodiscard]] std::string not_used(const Columns& taken) const;

@@ -53,18 +53,32 @@ void Lammps_frames::require_values(std::size_t columns, std::string_view what) {
 }
 
 /// `BOX BOUNDS`, with the words `xy xz yz` or `abc origin` where it is oblique: the edge vector of each direction.
-Lammps_frames::Box Lammps_frames::read_box() {
+Lammps_frames::Box Lammps_frames::read_box(Raw_frame& frame) {
     Box box;
     bool tilted = false, general = false;
     std::string sides;
+    std::vector<bool> periodic;
+    const std::uint64_t line = reader_.number();
     for (const std::string_view word : reader_.fields()) {
         tilted = tilted || word == "xy";
         general = general || word == "abc";
-        if (is_boundary(word)) sides += " " + std::string(word);
+        if (!is_boundary(word)) continue;
+        sides += " " + std::string(word);
+        periodic.push_back(word.find('p') != std::string_view::npos);
     }
     // All sides are periodic by default in LAMMPS, and early versions did not write how they are.
-    if (sides.empty()) meet_box("BOX BOUNDS, without a word on its sides");
-    else if (sides.find('p') != std::string::npos) meet_box("BOX BOUNDS" + sides);
+    periodic.resize(3, sides.empty());
+    const std::string what = "BOX BOUNDS" + (sides.empty() ? ", without a word on its sides" : sides);
+    const bool is_periodic = std::find(periodic.begin(), periodic.end(), true) != periodic.end();
+    if (is_periodic && !options_.box.taken) meet_box(what);
+    read_bounds(box, tilted, general);
+    if (is_periodic && options_.box.taken)
+        frame.box = File_box{box.edge, {periodic[0], periodic[1], periodic[2]}, what, line};
+    return box;
+}
+
+/// The three lines after `BOX BOUNDS`.
+void Lammps_frames::read_bounds(Box& box, bool tilted, bool general) {
     std::array<std::array<double, 4>, 3> row{};
     const std::size_t columns = general ? 4 : tilted ? 3 : 2;
     for (auto& values : row) {
@@ -76,7 +90,7 @@ Lammps_frames::Box Lammps_frames::read_box() {
             std::copy_n(row[i].begin(), 3, box.edge[i].begin());
             box.corner[i] = row[i][3];
         }
-        return box;
+        return;
     }
     // The bounds of an oblique box are those of the upright box around it.
     const double xy = row[0][2], xz = row[1][2], yz = row[2][2];
@@ -89,7 +103,6 @@ Lammps_frames::Box Lammps_frames::read_box() {
     box.edge[1][0] = xy;
     box.edge[2][0] = xz;
     box.edge[2][1] = yz;
-    return box;
 }
 
 /// The column of this name after ATOMS.
@@ -221,7 +234,7 @@ void Lammps_frames::read(Raw_frame& frame) {
             count = reader_.whole(reader_.fields()[0], "the number of atoms");
             make_room(frame, *count, 4);
         } else if (is_item("BOX BOUNDS")) {
-            box = read_box();
+            box = read_box(frame);
         } else if (is_item("UNITS") || is_item("TIME")) {
             if (!reader_.next_line()) reader_.fail("the file ends before its value", "a line");
         } else {

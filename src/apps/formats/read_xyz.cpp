@@ -65,7 +65,8 @@ void Xyz_frames::read(Raw_frame& frame) {
     make_room(frame, count, 4);
     if (!reader_.next_line()) reader_.fail("the file ends after its count", "a comment line and the points");
     Xyz_comment comment = parse_xyz_comment(reader_);
-    if (!comment.periodic.empty()) meet_box(comment.periodic);
+    if (!comment.periodic.empty() && options_.box.taken) frame.box = box_of(reader_, comment);
+    else if (!comment.periodic.empty()) meet_box(comment.periodic);
     std::vector<std::string_view> words;
     split_at_blanks(reader_.line(), words);
     const Comment_row comment_row{reader_.number(), looks_like_row(words) ? words.size() : 0,

@@ -108,6 +108,15 @@ bool is_box(std::string_view key, std::string_view values) {
                        [&](std::string_view word) { return parse_double(word, unused) == Number_kind::finite; });
 }
 
+/// The words of a value, without brackets and quotes: `1, 0, 0`, `[true false]`.
+std::vector<std::string_view> words_of(std::string& text) {
+    for (char& c : text)
+        if (std::string_view(",[](){}\"'\t").find(c) != std::string_view::npos) c = ' ';
+    std::vector<std::string_view> words;
+    split_at_blanks(text, words);
+    return words;
+}
+
 /// Whether one of the words means true. `T F F`, `[true, false, false]`, `1 0 0`.
 bool any_true(std::string_view values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -132,15 +141,37 @@ Xyz_comment parse_xyz_comment(const Line_reader& reader) {
             result.columns = columns_of(reader, value);
         } else if (same(key, "lattice")) {
             lattice = "Lattice";
+            result.vectors = value;
         } else if (is_box(key, value)) {
             lattice = key;
+            result.vectors = value;
         } else if (same(key, "pbc")) {
             pbc = any_true(value);
+            result.directions = value;
         }
     }
     if (pbc.value_or(!lattice.empty()))
         result.periodic = !pbc ? lattice : lattice.empty() ? "pbc" : lattice + " and pbc";
     return result;
+}
+
+File_box box_of(const Line_reader& reader, const Xyz_comment& comment) {
+    File_box box{.what = comment.periodic, .line = reader.number()};
+    std::string text = comment.vectors;
+    const std::vector<std::string_view> numbers = words_of(text);
+    const bool lengths = numbers.size() == 3 && !comment.periodic.starts_with("Lattice");
+    if (!lengths && numbers.size() != 9)
+        reader.fail(comment.periodic + ": a periodic box of " + counted(numbers.size(), "number"),
+                    "Lattice=\"..\" with nine, three vectors one after the other");
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        box.vectors[lengths ? k : k / 3][k % 3] = reader.real(numbers[k], "a number of the box");
+    std::string said = comment.directions;
+    const std::vector<std::string_view> directions = words_of(said);
+    if (directions.size() != 0 && directions.size() != 1 && directions.size() != 3)
+        reader.fail("pbc has " + counted(directions.size(), "value"), "one for each direction");
+    for (std::size_t k = 0; k < 3; ++k)
+        box.periodic[k] = directions.empty() || any_true(directions[directions.size() == 1 ? 0 : k]);
+    return box;
 }
 
 }  // namespace annulus::inline v1

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <apps/formats/text_input.h>
+#include <apps/motion/file_box.h>
 
 #include <cstdint>
 #include <optional>
@@ -23,6 +24,8 @@ struct Xyz_comment {
     std::optional<Xyz_columns> columns;  ///< from Properties
     std::string periodic;                ///< "Lattice", "pbc" or "Lattice and pbc", where these declare a periodic box
                                          ///< (in place of Lattice "cell", "box" or i-PI's "CELL(abcABC)")
+    std::string vectors{};               ///< the value of Lattice, or of cell or box
+    std::string directions{};            ///< the value of pbc
 };
 
 /// Reads the reader's line as KEY=VALUE, KEY="VALUE" and words without a value; keys in either case.
@@ -32,5 +35,10 @@ struct Xyz_comment {
 /// values is true. The same holds for what other programs write instead: `cell` or `box` of 3, 6 or 9 numbers, and
 /// `CELL(abcABC): ..`.
 [[nodiscard]] Xyz_comment parse_xyz_comment(const Line_reader& reader);
+
+/// The box of a comment that declares a periodic one, in the line where the reader is: three vectors, one after the
+/// other, or for `cell` and `box` three lengths; pbc is one value or three. Anything else is a fault of the line: the
+/// angles of other programs have no convention.
+[[nodiscard]] File_box box_of(const Line_reader& reader, const Xyz_comment& comment);
 
 }  // namespace annulus::inline v1

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <annulus/types.h>
+#include <apps/motion/file_box.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ struct Frame {
     std::vector<std::uint64_t> id;  ///< ascending
     std::vector<Coordinates<3>> position;
     std::vector<std::uint64_t> line;  ///< of each point in the file, from 1
+    std::optional<File_box> box{};    ///< where boxes are taken, and the file has one here
 };
 
 /// A motion from a file: points with an id that may appear and disappear.

@@ -30,6 +30,12 @@ void append_numbers(std::string& out, const Run_record& run) {
     append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
     if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
     for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
+    if (!run.input.box.empty()) append_row(out, "periodic box from", escaped(run.input.box_from));
+    for (std::size_t i = 0; i < run.input.box.size(); ++i) {  // nine numbers are too wide for a row
+        std::string vector;
+        for (const double c : run.input.box[i]) vector += (vector.empty() ? "" : ", ") + readable(c);
+        append_row(out, "its vector " + std::to_string(i + 1) + " at the end", vector);
+    }
     append_row(out, "iterations", grouped(run.iterations));
     append_row(out, "strategy", escaped(run.strategy));
     append_row(out, "tolerance", escaped(run.tolerance));
@@ -43,11 +49,13 @@ void append_numbers(std::string& out, const Run_record& run) {
     append_row(out, "total time", duration(run.seconds.total));
     append_row(out, "peak memory", memory(run.memory_peak_bytes));
     append_row(out, "audits", audit(run.audit));
-    const std::uint64_t decisions = run.arithmetic.total();
-    append_row(out, "certificates decided", grouped(decisions));
-    append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
-    append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
-    append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
+    if (run.input.box.empty()) {  // in a periodic box they are not counted
+        const std::uint64_t decisions = run.arithmetic.total();
+        append_row(out, "certificates decided", grouped(decisions));
+        append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
+        append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
+        append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
+    }
     out += "</table><table>\n";
     const Moves_record& moves = run.moves;
     append_row(out, "moves asked for", grouped(moves.asked));

@@ -80,9 +80,11 @@ struct Iteration_record {
 /// How an input file, if any, was read.
 struct Input_record {
     std::vector<std::pair<std::string, std::string>> columns;  ///< "x" is "column 2 (xs)"
-    std::string dimension;              ///< why it is 2 where points have a z: "z is 0.5 everywhere"
-    std::vector<std::string> ignored;   ///< content of the file that is ignored: "box"
-    std::vector<std::string> warnings;  ///< the same as lines, and what may have another meaning
+    std::string dimension;                   ///< why it is 2 where points have a z: "z is 0.5 everywhere"
+    std::vector<std::string> ignored;        ///< content of the file that is ignored: "box"
+    std::vector<std::string> warnings;       ///< the same as lines, and what may have another meaning
+    std::string box_from{};                  ///< what gives the periodic box: "Lattice", "--box"; empty without one
+    std::vector<std::vector<double>> box{};  ///< the vectors of that of the last frame
 };
 
 /// One run of one strategy, as in the files that it writes.

@@ -55,6 +55,7 @@ void append_input(Json& json, const Input_record& input) {
         Json& columns = json["columns"] = Json::object();
         for (const auto& [what, where] : input.columns) columns[what] = where;
     }
+    if (!input.box.empty()) json["box"] = input.box;
     if (!input.ignored.empty()) json["ignored"] = input.ignored;
 }
 

@@ -12,7 +12,7 @@ namespace annulus::inline v1 {
 /// interrupted run has `interrupted`.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Run_record& run);
 
-/// Adds the keys `columns` and `ignored`, unless they are empty.
+/// Adds the keys `columns`, `box` and `ignored`, unless they are empty.
 void append_input(nlohmann::ordered_json& json, const Input_record& input);
 
 /// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the

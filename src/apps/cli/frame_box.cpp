@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/frame_box.h>
+
+#include <annulus/error.h>
+#include <apps/formats/input_error.h>
+#include <apps/formats/parse_double.h>
+
+#include <string_view>
+#include <utility>
+
+namespace annulus::inline v1::cli {
+
+bool is_periodic(const File_box& box, int d, const std::string& file) {
+    std::string directions;
+    int count = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) {
+        if (!box.periodic[k]) continue;
+        directions += (count++ > 0 ? std::string(" and ") : std::string()) + "xyz"[k];
+    }
+    if (count == d || count == 0) return count == d;
+    throw Input_error(Error_code::bad_input, file, box.line,
+                      box.what + ": a box that is periodic in " + directions + " only",
+                      "one that is periodic in every direction, or --open, by which points are taken as they stand, "
+                      "with open boundaries");
+}
+
+template <int d>
+Box<d> box_of(const File_box& box, const std::string& file) {
+    typename Box<d>::Vectors vectors{};
+    for (std::size_t i = 0; i < d; ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (k < d) vectors[i][k] = box.vectors[i][k];
+            else if (box.vectors[i][k] != 0)
+                throw Input_error(Error_code::bad_input, file, box.line, box.what + ": a vector of the box has a z",
+                                  "--dim 3, or two vectors without one");
+        }
+    try {
+        return Box<d>(vectors);
+    } catch (const Error& error) {
+        throw Input_error(Error_code::bad_input, file, box.line, box.what + ": " + error.what(),
+                          "another box, or --open, by which points are taken as they stand, with open boundaries");
+    }
+}
+
+std::vector<double> parse_box(const std::string& words) {
+    std::vector<double> numbers;
+    for (std::string_view rest = words;;) {
+        const std::size_t end = rest.find(',');
+        double value = 0;
+        if (parse_double(rest.substr(0, end), value) != Number_kind::finite)
+            throw Error(Error_code::usage, "--box: '" + std::string(rest.substr(0, end)) + "' is not a number");
+        numbers.push_back(value);
+        if (end == std::string_view::npos) return numbers;
+        rest.remove_prefix(end + 1);
+    }
+}
+
+template <int d>
+Box<d> box_of(const std::vector<double>& numbers) {
+    typename Box<d>::Vectors vectors{};
+    if (numbers.size() == d) {
+        for (std::size_t i = 0; i < d; ++i) vectors[i][i] = numbers[i];
+    } else if (numbers.size() == d * d) {
+        for (std::size_t i = 0; i < numbers.size(); ++i) vectors[i / d][i % d] = numbers[i];
+    } else {
+        throw Error(Error_code::usage, "--box has " + counted(numbers.size(), "number") + ", and a box in " +
+                                           std::to_string(d) + "D has " + std::to_string(d) + " lengths or " +
+                                           std::to_string(d * d) + " coordinates of vectors");
+    }
+    try {
+        return Box<d>(vectors);
+    } catch (const Error& error) {
+        throw Error(Error_code::usage, std::string("--box: ") + error.what());
+    }
+}
+
+template <int d>
+Frame_boxes<d>::Frame_boxes(bool periodic, const std::string& given) : periodic_(periodic) {
+    if (given.empty()) return;
+    what_ = "--box";
+    now_ = box_of<d>(parse_box(given));
+}
+
+template <int d>
+void Frame_boxes<d>::take(const Frame& frame, const std::string& file) {
+    if (what_ == "--box") return;
+    const bool has_box = frame.box && is_periodic(*frame.box, d, file);
+    if (has_box != periodic_ && !frame.id.empty())
+        throw Input_error(Error_code::bad_input, file, frame.box ? frame.box->line : frame.line.front(),
+                          "a frame has " + std::string(has_box ? "a" : "no") +
+                              " periodic box, and frames before have " + (has_box ? "none" : "one"),
+                          "the same in every frame, --box, or --open");
+    if (!has_box || !periodic_) return;
+    what_ = frame.box->what;
+    now_ = box_of<d>(*frame.box, file);
+}
+
+template class Frame_boxes<2>;
+template class Frame_boxes<3>;
+template Box<2> box_of<2>(const File_box&, const std::string&);
+template Box<3> box_of<3>(const File_box&, const std::string&);
+template Box<2> box_of<2>(const std::vector<double>&);
+template Box<3> box_of<3>(const std::vector<double>&);
+
+}  // namespace annulus::inline v1::cli

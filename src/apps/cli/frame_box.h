@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/box.h>
+#include <apps/motion/recorded_motion.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace annulus::inline v1::cli {
+
+/// Whether a box of a file is periodic in the first d directions. Throws Input_error where it is in some of them only.
+[[nodiscard]] bool is_periodic(const File_box& box, int d, const std::string& file);
+
+/// The box of its first d vectors. Throws Input_error where Box refuses them, and in 2D where one of the two has a z.
+template <int d>
+[[nodiscard]] Box<d> box_of(const File_box& box, const std::string& file);
+
+/// The numbers of --box: d lengths, or d vectors one after the other, separated by commas. Throws Error(usage).
+[[nodiscard]] std::vector<double> parse_box(const std::string& words);
+template <int d>
+[[nodiscard]] Box<d> box_of(const std::vector<double>& numbers);
+
+/// The boxes of the frames of a periodic motion, one after the other.
+template <int d>
+class Frame_boxes {
+  public:
+    /// Of a motion with open boundaries, unless `periodic`; then all frames are in the box of --box, unless it is
+    /// empty.
+    Frame_boxes(bool periodic, const std::string& given);
+
+    /// Takes the box of the next frame. Throws Input_error where a frame has one and another frame does not.
+    void take(const Frame& frame, const std::string& file);
+    [[nodiscard]] bool periodic() const { return periodic_; }
+    /// Of the last frame that has points, or has a box. Precondition: the motion is periodic.
+    [[nodiscard]] const Box<d>& now() const { return *now_; }
+    /// Where it comes from: "--box", "Lattice".
+    [[nodiscard]] const std::string& what() const { return what_; }
+
+  private:
+    bool periodic_;
+    std::string what_;
+    std::optional<Box<d>> now_;
+};
+
+extern template class Frame_boxes<2>;
+extern template class Frame_boxes<3>;
+extern template Box<2> box_of<2>(const File_box&, const std::string&);
+extern template Box<3> box_of<3>(const File_box&, const std::string&);
+extern template Box<2> box_of<2>(const std::vector<double>&);
+extern template Box<3> box_of<3>(const std::vector<double>&);
+
+}  // namespace annulus::inline v1::cli

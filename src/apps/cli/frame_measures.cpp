@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/frame_measures.h>
+
+#include <annulus/voronoi.h>
+
+#include <utility>
+
+namespace annulus::inline v1::cli {
+
+template <int d>
+Cell_measures cell_measures(const Moving_mesh<d>& dt) {
+    const Mesh_cells<d> cells = dt.cells();
+    return {voronoi_volumes<d>(dt.points(), cells), voronoi_neighbour_counts<d>(dt.index_bound(), cells)};
+}
+
+template <int d>
+Cell_measures cell_measures(const Boxed_mesh<d>& dt) {
+    return {dt.mesh().voronoi_volumes(), dt.mesh().neighbour_counts()};
+}
+
+template <int d>
+std::vector<Facet_pair<d>> facet_pairs(const Moving_mesh<d>& dt) {
+    const Voronoi_diagram<d> diagram = voronoi_diagram<d>(dt.points(), dt.cells());
+    std::vector<Facet_pair<d>> result;
+    result.reserve(diagram.pair.size());
+    for (std::size_t k = 0; k < diagram.pair.size(); ++k)
+        result.push_back({diagram.pair[k][0], diagram.pair[k][1], {}, diagram.measure[k]});
+    return result;
+}
+
+template <int d>
+std::vector<Facet_pair<d>> facet_pairs(const Boxed_mesh<d>& dt) {
+    const Periodic_neighbours<d> all = dt.mesh().neighbours();
+    std::vector<Facet_pair<d>> result;
+    result.reserve(all.first.size() / 2);
+    for (std::size_t k = 0; k < all.first.size(); ++k)
+        if (all.first[k] < all.second[k] || (all.first[k] == all.second[k] && all.shift[k] > Shift<d>{}))
+            result.push_back({all.first[k], all.second[k], all.shift[k], all.area[k]});
+    return result;
+}
+
+template Cell_measures cell_measures(const Moving_mesh<2>&);
+template Cell_measures cell_measures(const Moving_mesh<3>&);
+template Cell_measures cell_measures(const Boxed_mesh<2>&);
+template Cell_measures cell_measures(const Boxed_mesh<3>&);
+template std::vector<Facet_pair<2>> facet_pairs(const Moving_mesh<2>&);
+template std::vector<Facet_pair<3>> facet_pairs(const Moving_mesh<3>&);
+template std::vector<Facet_pair<2>> facet_pairs(const Boxed_mesh<2>&);
+template std::vector<Facet_pair<3>> facet_pairs(const Boxed_mesh<3>&);
+
+}  // namespace annulus::inline v1::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/moving_mesh.h>
+#include <apps/cli/boxed_mesh.h>
+
+#include <vector>
+
+namespace annulus::inline v1::cli {
+
+/// The Voronoi cells of a frame, by vertex index.
+struct Cell_measures {
+    std::vector<double> volume;     ///< infinite where the cell is unbounded
+    std::vector<Index> neighbours;  ///< open: of the triangulation; periodic: with facets that are not exactly empty
+};
+template <int d>
+[[nodiscard]] Cell_measures cell_measures(const Moving_mesh<d>& dt);
+template <int d>
+[[nodiscard]] Cell_measures cell_measures(const Boxed_mesh<d>& dt);
+
+/// Two Voronoi cells that the triangulation makes neighbours: once, the first index not above the second; of a point
+/// and its own image the shift whose first component other than 0 is positive.
+template <int d>
+struct Facet_pair {
+    Index first = 0, second = 0;
+    Shift<d> shift{};    ///< of the second point, by vectors of the box; 0 in an open mesh
+    double measure = 0;  ///< of the facet: its length or area; 0 only where it is exactly empty, infinite if unbounded
+};
+/// Ascending.
+template <int d>
+[[nodiscard]] std::vector<Facet_pair<d>> facet_pairs(const Moving_mesh<d>& dt);
+template <int d>
+[[nodiscard]] std::vector<Facet_pair<d>> facet_pairs(const Boxed_mesh<d>& dt);
+
+extern template Cell_measures cell_measures(const Moving_mesh<2>&);
+extern template Cell_measures cell_measures(const Moving_mesh<3>&);
+extern template Cell_measures cell_measures(const Boxed_mesh<2>&);
+extern template Cell_measures cell_measures(const Boxed_mesh<3>&);
+extern template std::vector<Facet_pair<2>> facet_pairs(const Moving_mesh<2>&);
+extern template std::vector<Facet_pair<3>> facet_pairs(const Moving_mesh<3>&);
+extern template std::vector<Facet_pair<2>> facet_pairs(const Boxed_mesh<2>&);
+extern template std::vector<Facet_pair<3>> facet_pairs(const Boxed_mesh<3>&);
+
+}  // namespace annulus::inline v1::cli

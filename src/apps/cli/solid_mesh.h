@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/moving_mesh.h>
+#include <apps/cli/boxed_mesh.h>
+
+#include <array>
+#include <vector>
+
+namespace annulus::inline v1::cli {
+
+/// A triangulation as a mesh of finite cells, for files and pictures: without free indices, and of a periodic one the
+/// points near the box, followed by the images of them that its cells have as corners.
+template <int d>
+struct Solid_mesh {
+    using Cell = std::array<Index, static_cast<std::size_t>(d) + 1>;
+    std::vector<Coordinates<d>> points;
+    std::vector<Index> vertex;  ///< of the triangulation, by point
+    std::vector<Cell> cells;    ///< of points
+};
+
+/// After the caption of a picture of a periodic one.
+inline constexpr const char* with_images = ", with images at the sides of the box";
+
+template <int d>
+[[nodiscard]] Solid_mesh<d> solid_mesh(const Moving_mesh<d>& dt);
+template <int d>
+[[nodiscard]] Solid_mesh<d> solid_mesh(const Boxed_mesh<d>& dt);
+
+extern template Solid_mesh<2> solid_mesh(const Moving_mesh<2>&);
+extern template Solid_mesh<3> solid_mesh(const Moving_mesh<3>&);
+extern template Solid_mesh<2> solid_mesh(const Boxed_mesh<2>&);
+extern template Solid_mesh<3> solid_mesh(const Boxed_mesh<3>&);
+
+}  // namespace annulus::inline v1::cli
