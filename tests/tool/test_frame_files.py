@@ -6,6 +6,7 @@ usage: test_frame_files.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import itertools
 import json
+import math
 import re
 import signal
 
@@ -89,6 +90,51 @@ class Frames(FrameTest):
                 self.assertEqual([r["neighbours"] for r in rows[:5]], ["1", "2", "2", "2", "1"])
                 self.assertEqual(len(self.series()), 5)
 
+    def test_neighbours_of_every_frame(self):
+        """The pairs of the first frame, and of all others; cells are pyramids over their facets, which have half the
+        distance of the two points as height."""
+        for d, corner in ((2, "area"), (3, "volume")):
+            facet = {2: "length", 3: "area"}[d]
+            frames = wander(d, 4, 12, 3)
+            self.succeed("replay", self.xyz_of(frames), "--neighbors", "--voronoi", "--output", "out", "--quiet")
+            rows = self.table("out", "pairs.csv")
+            self.assertEqual(list(rows[0]), ["frame", "first", "second", facet])
+            keys = [(int(r["frame"]), int(r["first"]), int(r["second"])) for r in rows]
+            self.assertEqual(keys, sorted(keys))
+            self.assertEqual({f for f, _, _ in keys}, {0, 1, 2, 3})
+            for f, frame in enumerate(frames):
+                self.assertEqual({(i, j) for g, i, j in keys if g == f}, delaunay_pairs(frame), (d, f))
+            volume = {}
+            for (f, i, j), r in zip(keys, rows):
+                pyramid = math.dist(frames[f][i], frames[f][j]) * float(r[facet] or "inf") / (2 * d)
+                for k in (i, j):
+                    volume[f, k] = volume.get((f, k), 0) + pyramid
+            bounded = 0
+            for r in self.table("out", "voronoi.csv"):
+                found = volume[int(r["frame"]), int(r["id"])]
+                self.assertEqual(math.isinf(found), r["unbounded"] == "1")
+                if math.isfinite(found):
+                    bounded += 1
+                    self.assertAlmostEqual(found / float(r[corner]), 1, delta=1e-9)
+            self.assertGreater(bounded, 4)
+
+    def test_neighbours_of_cocircular_points(self):
+        """A grid: 12 sides, and 4 diagonals whose facets are exactly empty. Words for ids come in their order."""
+        text = "frame,id,x,y\n" + "".join(f"0,p{3 * y + x},{x},{y}\n" for y in range(3) for x in range(3))
+        self.write("grid.csv", text)
+        self.succeed("replay", "grid.csv", "--neighbors", "--output", "out", "--quiet")
+        rows = self.table("out", "pairs.csv")
+        self.assertEqual(len(rows), 16)
+        diagonal = [r for r in rows if abs(int(r["first"][1]) - int(r["second"][1])) in (2, 4)]
+        self.assertEqual([r["length"] for r in diagonal], ["0"] * 4)
+        inner = [r for r in rows if r not in diagonal and r["length"]]
+        self.assertEqual([(r["first"], r["second"], r["length"]) for r in inner],
+                         [("p1", "p4", "1"), ("p3", "p4", "1"), ("p4", "p5", "1"), ("p4", "p7", "1")])
+        line = {i: [float(i), 2.0 * i] for i in range(4)}
+        self.succeed("replay", self.xyz_of([line, {}, {7: [1.0, 1.0]}]), "--neighbors", "--output", "out", "--quiet")
+        self.assertEqual([(r["first"], r["second"], r["length"]) for r in self.table("out", "pairs.csv")],
+                         [(str(i), str(i + 1), "") for i in range(3)])
+
     def test_lloyd_and_nodt_write_them_too(self):
         self.succeed("lloyd", "--points", "30", "--iterations", "6", "--every", "2", "--voronoi", "--changes",
                      "--output", "out", "--quiet")
@@ -136,16 +182,19 @@ class Frames(FrameTest):
 
     def test_what_does_not_go_together(self):
         name = self.xyz_of(wander(2, 3, 9, 1))
-        for words in (("--every", "3"), ("--voronoi",), ("--changes",)):
+        for words in (("--every", "3"), ("--voronoi",), ("--neighbors",), ("--changes",)):
             self.assertIn("--output", self.refuse(2, "replay", name, *words))
             self.assertIn("--output", self.refuse(2, "lloyd", "--points", "9", *words))
         self.refuse(2, "replay", name, "--every", "0", "--output", "out")
-        self.assertIn("certified", self.refuse(2, "replay", name, "--voronoi", "--output", "out", "--tolerance",
-                                               "paper"))
+        for word in ("--voronoi", "--neighbors"):
+            said = self.refuse(2, "replay", name, word, "--output", "out", "--tolerance", "paper")
+            self.assertIn("certified", said)
+            self.assertIn(word, said)
 
     def test_old_frames_go_with_old_results(self):
         name = self.xyz_of(wander(2, 6, 12, 1))
-        self.succeed("replay", name, "--every", "1", "--voronoi", "--changes", "--output", "out", "--quiet")
+        self.succeed("replay", name, "--every", "1", "--voronoi", "--neighbors", "--changes", "--output", "out",
+                     "--quiet")
         (self.here / "out" / "frame-of-mine.vtu").write_text("mine", encoding="utf-8")
         self.succeed("replay", name, "--every", "4", "--output", "out", "--quiet")
         names = {p.name for p in (self.here / "out").iterdir()}
