@@ -113,6 +113,8 @@ void check_motion(const fs::path& file, const Recorded_motion& m, const Motion_o
         require(!reader.at_end() && reader.next(frame) && frame.id == f.id && frame.position == f.position,
                 "the same frames one by one");
         for (const auto& p : f.position) z.insert(p[2]);
+        require(f.box.has_value() == frame.box.has_value(), "the same boxes one by one");
+        require(!f.box || from_1(std::vector{f.box->line}), "boxes with a line");
     }
     require(reader.at_end() && !reader.next(frame), "an end");
     require(is_flat(file, options) == (z.size() == 1), "flat where z is the same everywhere");
@@ -120,7 +122,7 @@ void check_motion(const fs::path& file, const Recorded_motion& m, const Motion_o
 
 template <Absent_frames absent>
 void motion(const fs::path& file) {
-    const Motion_options options{.absent = absent, .box = {.ignored = true}};
+    const Motion_options options{.absent = absent, .box = {.taken = absent == Absent_frames::skip, .ignored = true}};
     const Recorded_motion m = read_motion(file, options);
     for (std::size_t i = 1; i < m.frames.size(); ++i)
         require(m.frames[i - 1].number < m.frames[i].number, "numbers of frames ascend");
@@ -128,7 +130,7 @@ void motion(const fs::path& file) {
 }
 
 void dump(const fs::path& file) {
-    const Motion_options options{.box = {.ignored = true}};
+    const Motion_options options{.box = {.taken = true}};
     check_motion(file, read_motion(file, options), options);
 }
 

@@ -61,7 +61,9 @@ class VoronoiPolytopes:
         if self.corners.shape[1] != 2:
             raise Error("the cells are polyhedra, and have faces", "usage")
         sides = self._sides(i)
-        return self.corners[self.side_corners[self.corner_indptr[sides.start]:self.corner_indptr[sides.stop]:2]]
+        begin, end = self.corner_indptr[sides.start], self.corner_indptr[sides.stop]
+        polygon: Floats = self.corners[self.side_corners[begin:end:2]]
+        return polygon
 
     def faces(self, i: int) -> list[Floats]:
         """The sides of the cell of point i.

@@ -126,7 +126,7 @@ def test_strategies(strategy):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_the_gil_is_released(threads):
     """Another thread of Python runs during each call: with this interval it never does otherwise."""
-    x = np.random.default_rng(0).random((4, 300, 3))
+    x = np.random.default_rng(0).random((4, 3000, 3))  # each call takes tens of milliseconds
     calls = {"build": lambda b: annulus.MovingDelaunayBatch(x, threads=threads), "move": lambda b: b.move(x[:, ::-1]),
              "volumes": lambda b: b.voronoi_volumes(), "gradient": lambda b: b.voronoi_vjp(x[..., 0])}
     interval = sys.getswitchinterval()

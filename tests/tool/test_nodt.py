@@ -348,9 +348,16 @@ class Nodt(tool.ToolTest):
 
     def test_finish_keeps_sharp_edges(self):
         self.write("cube.off", CUBE)
-        self.nodt("--surface", "cube.off", "--vertices", "300", "--iterations", "3", "--sharp", "40", "--finish")
-        points = set(self.tetrahedra("final.mesh")[0])
-        self.assertLessEqual({(float(x), float(y), float(z)) for x in (0, 2) for y in (0, 1) for z in (0, 1)}, points)
+        words = ("--surface", "cube.off", "--vertices", "300", "--iterations", "3", "--sharp", "40")
+        meshes, edges = [], []
+        for finish in ((), ("--finish",)):
+            self.nodt(*words, *finish)
+            points = set(self.tetrahedra("final.mesh")[0])
+            meshes.append(points)
+            edges.append({p for p in points if sum(x in ends for x, ends in zip(p, ((0, 2), (0, 1), (0, 1)))) > 1})
+        self.assertNotEqual(*meshes)
+        self.assertEqual(*edges)
+        self.assertLessEqual({(float(x), float(y), float(z)) for x in (0, 2) for y in (0, 1) for z in (0, 1)}, edges[1])
 
     def test_no_iterations(self):
         self.nodt("--sphere", "--vertices", "60", "--iterations", "0")

@@ -95,6 +95,9 @@ class Taken(boxed.BoxedTest):
         self.assertIn("a.lammpstrj:5: BOX BOUNDS pp pp ff: a box that is periodic in x and y only; expected one that "
                       "is periodic in every direction, or --open", self.refuse(3, "replay", "a.lammpstrj"))
         self.succeed("replay", "a.lammpstrj", "--dim", 2)
+        self.write("a.lammpstrj", dump.format(" pp pp pp").replace("0 9\n", "-1e308 1e308\n", 1))
+        self.assertIn("a.lammpstrj:5: BOX BOUNDS pp pp pp: a coordinate of a vector of the box is not a finite number",
+                      self.refuse(3, "replay", "a.lammpstrj"))
         self.write("a.lammpstrj", dump.format(""))  # all sides, where the file does not say
         self.assertIn("box  ", self.succeed("replay", "a.lammpstrj").stdout)
 

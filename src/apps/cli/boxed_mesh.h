@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/mesh_cells.h>
+#include <annulus/types.h>
 #include <annulus/options.h>
 #include <annulus/periodic_mesh.h>
 #include <apps/cli/image_path.h>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <annulus/box.h>
-#include <annulus/periodic_cells.h>
 #include <annulus/types.h>
 
 #include <array>
