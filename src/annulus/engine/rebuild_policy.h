@@ -28,6 +28,9 @@ class Rebuild_policy {
     /// small.
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 8000.0 + repair_limit(vertices); }
 
+    /// What a time step of `auto` may cost with the tolerances that it recomputes.
+    [[nodiscard]] static double step_limit(std::size_t vertices) { return 1.45 * rebuild_cost(vertices); }
+
     /// The cost of flips whose least cost was estimated (Sign_evaluator::estimate): they find more to repair. Measured:
     /// 2.3 to 3.9 times the estimate in 3D, 1.2 to 1.7 times in 2D, except where they lead nowhere.
     [[nodiscard]] static constexpr double expected(double estimate) { return (d == 2 ? 1.6 : 3.3) * estimate; }

@@ -59,7 +59,7 @@ bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
 template <int d>
 void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (displacement_budget_.kept() || means_ == Means::signs ||
-        !tolerance_policy_.recomputes_for_single_move(mesh_.vertices())) {
+        (!slices_.begun() && !tolerance_policy_.recomputes_for_single_move(mesh_.vertices()))) {
         stop_rebuilding();
         const std::uint64_t calm = report.moves.kept_in_place + report.moves.within_tolerance;
         move_one(v, p, report);
@@ -189,6 +189,7 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_result& report) {
     outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
     if (!step.rebuilt) {
         if (!alone) rebuild_policy_.repaired();
+        if (slices_.begun()) slices_.note_changed(repair_.touched());
         if (tolerances) displacement_budget_.commit(step, repair_.checker());
     }
     if (displacement_budget_.kept() && (step.scope == Scope::everything || step.rebuilt)) drop_tolerances();
