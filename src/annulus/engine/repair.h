@@ -75,7 +75,6 @@ class Repair {
     [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost);
     [[nodiscard]] bool is_occupied(Step<d>& step);
     [[nodiscard]] bool goes_far(Index mover) const;
-    [[nodiscard]] double reinsertion_cost(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);
 
     Delaunay_mesh<d>& mesh_;

@@ -141,6 +141,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_step(bool each, Move_result& report);
     [[nodiscard]] bool next_is_repaired(std::span<const Coordinates<d>> x);
+    void rebuild_from_now_on();
     void rebuild(Step<d>& step);
     void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_result& report);
 

@@ -9,8 +9,8 @@ namespace annulus::inline v1 {
 /// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
 /// same.
 template <int d>
-void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x,
-                                           std::pair<std::size_t, std::size_t> slice, Move_result& report) {
+void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::pair<std::size_t, std::size_t> slice,
+                                           Move_result& report) {
     Certificate_checker<d>& checker = repair_.checker();
     const std::size_t block = threads_ > 1 ? 1 << 16 : 1024;
     const std::size_t facets = slices_.facets();

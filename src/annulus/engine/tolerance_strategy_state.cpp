@@ -148,7 +148,8 @@ void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_resu
 /// Displacements are recorded from time to time while no tolerances are kept, unless they never are.
 template <int d>
 void Tolerance_strategy<d>::note_displacements(std::span<const Coordinates<d>> x) {
-    if (displacement_budget_.kept() || slices_.begun() || means_ == Means::signs) tolerance_policy_.forget_displacements();
+    if (displacement_budget_.kept() || slices_.begun() || means_ == Means::signs)
+        tolerance_policy_.forget_displacements();
     else tolerance_policy_.note_displacements(table_, position_, x);
 }
 
@@ -206,15 +207,19 @@ void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool 
     report.moves.rebuilt += mesh_.vertices();
 }
 
+/// With `any`: repair gave up, or cost more than a rebuild.
+template <int d>
+void Tolerance_strategy<d>::rebuild_from_now_on() {
+    rebuild_policy_.gave_up();
+    drop_tolerances();
+    rebuilding_ = true;
+}
+
 /// After repair gave up. After a duplicate point the cells are rebuilt at the old positions, with other numbers.
 template <int d>
 void Tolerance_strategy<d>::rebuild(Step<d>& step) {
     try {
-        if (means_ == Means::any) {
-            rebuild_policy_.gave_up();
-            drop_tolerances();
-            rebuilding_ = true;
-        }
+        if (means_ == Means::any) rebuild_from_now_on();
         mesh_.rebuild(step.x);
     } catch (const Error&) {
         if (step.mover != none) position_[at(step.mover)] = step.source;
