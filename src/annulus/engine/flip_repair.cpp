@@ -3,9 +3,11 @@
 #include <annulus/engine/flip_repair.h>
 
 #include <annulus/engine/cost_model.h>
+#include <annulus/engine/late_rounds.h>
 #include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -116,8 +118,7 @@ bool Flip_repair<d>::finish_locally() {
                        static_cast<std::size_t>(std::min(room, static_cast<double>(most_points))), result_.touched);
     budget_->charge(Cost_model<d>::point * static_cast<double>(local_.points()));
     if (!built) return false;
-    for (std::size_t i = first; i < result_.touched.size(); ++i)
-        if (table_.is_cell(result_.touched[i])) signs_.test_cell(result_.touched[i], true);
+    (void)test_touched(first);
     return nothing_inverted() && flip_violated() && left_.stuck.empty() && nothing_inverted();
 }
 
@@ -130,13 +131,29 @@ bool Flip_repair<d>::nothing_inverted() {
 
 template <int d>
 void Flip_repair<d>::run() {
+    const bool many = !held_.is_of_one();
+    Late_rounds<d> rounds(mesh_.vertices(), budget_->spent);
     int idle = 0;
+    bool was_stuck = false;
     for (int round = 0; round < most_rounds && idle < most_idle_rounds; ++round) {
         signs_.inverted().insert(signs_.inverted().end(), left_.inverted_at_source.begin(),
                                  left_.inverted_at_source.end());
         left_.inverted_at_source.clear();
         if (!untangle_or_hold_back() || !flip_violated()) return;
+        const bool still_stuck = std::exchange(was_stuck, !left_.stuck.empty()) && was_stuck;
+        if (many && still_stuck && !rebuild_stuck()) return;
         if (held_.empty() && left_.inverted_at_source.empty() && nothing_inverted()) break;
+        if (many) {
+            budget_->limit = std::max(budget_->limit, Rebuild_policy<d>::late_limit(mesh_.vertices()));
+            rounds.note(budget_->spent, cost_of_reinsertion());
+            if (rounds.gives_up()) return;
+            const bool last = round + 1 == most_rounds || (idle + 1 == most_idle_rounds && !held_.has_advanced());
+            if (left_.stuck.empty() && left_.inverted_at_source.empty() && nothing_inverted() &&
+                rounds.reinserts(last)) {
+                result_.done = reinsert_held();
+                return;
+            }
+        }
         idle = held_.advance([this](Index v) { moved(v); }) ? 0 : idle + 1;
     }
     const bool lists_empty = left_.inverted_at_source.empty() && left_.stuck.empty() && signs_.inverted().empty() &&

@@ -43,7 +43,8 @@ struct Repair_result {
 /// cells are flipped. Then the vertices held back advance from where they are, in the triangulation in which the
 /// facets in their way have been flipped (docs/theory.md 6.3). At the hull half way is never outside; there a flip
 /// removes the cell that a vertex inverts by leaving (6.4). What is still stuck after that is rebuilt locally
-/// (Cavity_retriangulator).
+/// (Cavity_retriangulator). In a time step, vertices for which further rounds would not pay (Late_rounds) are removed
+/// and inserted again at their targets.
 ///
 /// In 2D a flip (2-2) exchanges the diagonals of a bi-cell. In 3D the flip depends on the point x where the edge pq
 /// of the two opposite vertices meets the plane of the facet abc. The pictures show this plane; q is above it, p
@@ -56,12 +57,13 @@ class Flip_repair {
   public:
     /// Both must outlive it.
     Flip_repair(Delaunay_mesh<d>& mesh, Sign_evaluator<d>& signs)
-        : table_(mesh.table()), signs_(signs), local_(mesh.table()) {}
+        : mesh_(mesh), table_(mesh.table()), signs_(signs), local_(mesh.table()) {}
 
     /// Starts with nothing repaired.
     void begin();
     /// The certificates that are not known to hold at path.x are on the lists of signs, which began there. Not done:
-    /// the work has cost more than the budget, or led nowhere. Then, as when it throws, the table is of no use until
+    /// the work has cost more than the budget, which in a time step is raised to Rebuild_policy::late_limit() after the
+    /// first round, or led nowhere. Then, as when it throws, the table is of no use until
     /// the cells that were touched are restored. On return path.x has the targets again.
     const Repair_result& repair(const Motion_path<d>& path, Budget& budget);
     /// The result of repair(), since begin().
@@ -81,6 +83,12 @@ class Flip_repair {
     void moved(Index v);
     [[nodiscard]] bool nothing_inverted();
 
+    // flip_repair_reinsert.cpp
+    bool test_touched(std::size_t first);
+    [[nodiscard]] bool rebuild_stuck();
+    [[nodiscard]] double cost_of_reinsertion() const;
+    [[nodiscard]] bool reinsert_held();
+
     /// Failures that are not on the lists of signs.
     struct Left {
         std::vector<Cell_index> inverted_at_source;  // cells inverted with all vertices at their sources
@@ -88,6 +96,7 @@ class Flip_repair {
         std::vector<Corner_index> waiting;
     };
 
+    Delaunay_mesh<d>& mesh_;
     Corner_table<d>& table_;
     Sign_evaluator<d>& signs_;
     Cavity_retriangulator<d> local_;

@@ -4,7 +4,9 @@
 #include <annulus/engine/displacement.h>
 #include <annulus/mesh/certificates.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -61,6 +63,15 @@ class Held_back {
     [[nodiscard]] bool empty() const { return held_.empty(); }
     [[nodiscard]] std::span<const Entry> held() const { return held_; }
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return path_.x; }
+    /// Whether a single vertex moves.
+    [[nodiscard]] bool is_of_one() const { return path_.mover != none; }
+    /// Whether it is not at its target.
+    [[nodiscard]] bool is_waiting(const Held& held) const { return path_.x[at(held.vertex)] != held.target; }
+    /// Whether a vertex got nearer to its target in this round.
+    [[nodiscard]] bool has_advanced() const {
+        return std::any_of(held_.begin(), held_.end(),
+                           [this](const Held& h) { return path_.x[at(h.vertex)] != h.source; });
+    }
 
     /// Moves one of these vertices back, the one farthest from its source: half way the first time, to its source the
     /// next time. Returns it, or `none` when none can be moved back: all are at their sources or, after the first
@@ -70,6 +81,10 @@ class Held_back {
     /// Returns whether a vertex got nearer to its target in the last round.
     template <class Moved>
     [[nodiscard]] bool advance(Moved moved);
+    /// Calls place(x, v, target) for each that is not at its target, until this returns false, and returns whether none
+    /// did. x are the positions, which it changes.
+    template <class Place>
+    [[nodiscard]] bool place(Place place);
     /// Puts all vertices at their targets; moved(v) is called after each that was elsewhere.
     template <class Moved>
     void release(Moved moved);
@@ -157,6 +172,14 @@ bool Held_back<d>::advance(Moved moved) {
         moved(held.vertex);
     }
     return progress;
+}
+
+template <int d>
+template <class Place>
+bool Held_back<d>::place(Place place) {
+    for (const Held& held : held_)
+        if (is_waiting(held) && !place(path_.x, held.vertex, held.target)) return false;
+    return true;
 }
 
 template <int d>

@@ -28,9 +28,21 @@ class Rebuild_policy {
     /// small.
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 8000.0 + repair_limit(vertices); }
 
+    /// What a time step of `auto` may cost with the tolerances that it recomputes.
+    [[nodiscard]] static double step_limit(std::size_t vertices) { return 1.45 * rebuild_cost(vertices); }
+    /// The cost at which repair of a time step gives up once its first round is over: what is left then is mostly known
+    /// (Late_rounds), and giving up costs a rebuild.
+    [[nodiscard]] static double late_limit(std::size_t vertices) { return late_share * rebuild_cost(vertices); }
+
     /// The cost of flips whose least cost was estimated (Sign_evaluator::estimate): they find more to repair. Measured:
     /// 2.3 to 3.9 times the estimate in 3D, 1.2 to 1.7 times in 2D, except where they lead nowhere.
     [[nodiscard]] static constexpr double expected(double estimate) { return (d == 2 ? 1.6 : 3.3) * estimate; }
+    /// The same for a repair limit of the step, when later stages have already cost this to decide signs: the estimate
+    /// is by the filter, and where a good part of the signs need more, so do those of the flips. Measured on clusters
+    /// of points over six decades of scale.
+    [[nodiscard]] static constexpr double expected(double estimate, double later_stages, double limit) {
+        return expected(estimate) * (1.0 + 8.0 * std::max(0.0, later_stages / limit - 0.1));
+    }
     /// The cost at which such flips give up, for a repair limit of the step: when they cost clearly more than expected,
     /// not only when they have cost as much as a rebuild.
     [[nodiscard]] static constexpr double flips_limit(double estimate, double limit) {
@@ -83,6 +95,10 @@ class Rebuild_policy {
     /// than twice the best choice (the ski-rental rule). Most steps that are given up cost little: what the signs and
     /// an estimate of the flips make too expensive is rebuilt at once, and flips stop that cost more than expected.
     static constexpr double share() { return Cost_model<d>::rebuild - (Cost_model<d>::signs - Cost_model<d>::cells); }
+    /// late_limit(), in rebuilds.
+    static constexpr double late_share = 1.7;
+    static_assert(late_share * Cost_model<d>::rebuild + Cost_model<d>::rebuild < 1.45 * Cost_model<d>::insertion);
+    static_assert(late_share * Cost_model<d>::rebuild + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
     static_assert(share() + Cost_model<d>::rebuild + (Cost_model<d>::signs - Cost_model<d>::cells) <
                   1.45 * Cost_model<d>::insertion);
 

@@ -3,6 +3,7 @@
 
 #include <annulus/engine/cost_model.h>
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/engine/reinsertion_cost.h>
 #include <annulus/error.h>
 #include <annulus/mesh/border.h>
 
@@ -20,6 +21,14 @@ template <class Points>
 void append_vertices(const Points& points, std::vector<Index>& vertices) {
     for (const auto& [v, label] : points)
         if (v != none) vertices.push_back(v);
+}
+
+/// What the stages after the filter have cost.
+template <int d>
+double later_stages(const Step<d>& step) {
+    const Stage_counts& decided = step.report.statistics.arithmetic;
+    return Cost_model<d>::interval * static_cast<double>(decided.interval) +
+           Cost_model<d>::exact * static_cast<double>(decided.exact);
 }
 
 }  // namespace
@@ -103,7 +112,7 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
     const std::vector<Cell_index>& touched = flip_repair_.result().touched;
     mesh_.restore_cells(x, touched, step.renumbered);
     budget.charge(Cost_model<d>::flip * static_cast<double>(touched.size()));
-    const double cost = reinsertion_cost(step.mover);
+    const double cost = reinsertion_cost(mesh_.table(), step.mover);
     if (cost <= Rebuild_policy<d>::generous_rebuild_limit(mesh_.vertices()) && reinsert(step, x, target, cost))
         return true;
     x[at(step.mover)] = target;
@@ -115,18 +124,8 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
 template <int d>
 bool Repair<d>::goes_far(Index mover) const {
     constexpr double share = d == 2 ? 0.3 : 0.5;
-    return Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) > share * reinsertion_cost(mover);
-}
-
-/// The cost of removing v and inserting it again: the cavity is filled with the triangulation of its neighbours,
-/// which in 2D takes the square of their number in bad cases.
-template <int d>
-double Repair<d>::reinsertion_cost(Index v) const {
-    constexpr double filled = d == 2 ? 60.0 : 100.0;
-    double cells = 0.0;
-    mesh_.table().for_each_corner(v, [&cells](Corner_index) { ++cells; });
-    const double filling = d == 2 ? filled * cells + 0.14 * cells * cells : filled * cells;
-    return std::max(Cost_model<d>::reinsertion, filling);
+    return Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) >
+           share * reinsertion_cost(mesh_.table(), mover);
 }
 
 template <int d>
@@ -163,11 +162,11 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
     const double limit = step.budget.limit;
     if (step.mover == none) {
         const double estimate = signs_.estimate();
-        if (step.budget.spent + Rebuild_policy<d>::expected(estimate) > limit) return false;
+        if (step.budget.spent + Rebuild_policy<d>::expected(estimate, later_stages(step), limit) > limit) return false;
         step.budget.limit = std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, limit));
     }
     const Repair_result& result = flip_repair_.repair(path, step.budget);
-    step.budget.limit = limit;
+    step.budget.limit = step.mover == none ? std::max(limit, Rebuild_policy<d>::late_limit(mesh_.vertices())) : limit;
     step.count(signs_.take_counts());
     if (!result.done || !holds_after_flips(step, result)) {
         step.report.statistics.undone_flips += result.flips;

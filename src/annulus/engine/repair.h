@@ -61,6 +61,10 @@ class Repair {
     /// its target. Where flips would be more expensive, it is removed and inserted again.
     [[nodiscard]] bool repair_one(Step<d>& step, std::span<Coordinates<d>> x);
 
+    /// The cells that repair made or changed since begin(), each once; some may be gone again. Not those of a vertex
+    /// that was reinserted.
+    [[nodiscard]] std::span<const Cell_index> touched() const { return flip_repair_.result().touched; }
+
   private:
     void collect_violated(Step<d>& step);
     [[nodiscard]] bool signs_hold(Step<d>& step, double most);
@@ -71,7 +75,6 @@ class Repair {
     [[nodiscard]] bool reinsert(Step<d>& step, std::span<Coordinates<d>> x, const Coordinates<d>& target, double cost);
     [[nodiscard]] bool is_occupied(Step<d>& step);
     [[nodiscard]] bool goes_far(Index mover) const;
-    [[nodiscard]] double reinsertion_cost(Index v) const;
     void count(Step<d>& step, const Stage_counts& evaluated);
 
     Delaunay_mesh<d>& mesh_;

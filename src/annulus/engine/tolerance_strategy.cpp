@@ -59,7 +59,7 @@ bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
 template <int d>
 void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (displacement_budget_.kept() || means_ == Means::signs ||
-        !tolerance_policy_.recomputes_for_single_move(mesh_.vertices())) {
+        (!slices_.begun() && !tolerance_policy_.recomputes_for_single_move(mesh_.vertices()))) {
         stop_rebuilding();
         const std::uint64_t calm = report.moves.kept_in_place + report.moves.within_tolerance;
         move_one(v, p, report);
@@ -187,11 +187,15 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_result& report) {
     if (!alone) ++(tolerances ? report.statistics.tolerance_steps : report.statistics.sign_steps);
     if (tolerances) tolerance_policy_.note_step(step.failed.size(), step.report.statistics.evaluated);
     outcomes_.count(step, alone ? 1 : mesh_.vertices(), report.moves);
+    const bool too_expensive = means_ == Means::any && !alone && !step.rebuilt &&
+                               step.budget.spent > Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     if (!step.rebuilt) {
-        if (!alone) rebuild_policy_.repaired();
+        if (!alone && !too_expensive) rebuild_policy_.repaired();
+        if (slices_.begun()) slices_.note_changed(repair_.touched());
         if (tolerances) displacement_budget_.commit(step, repair_.checker());
     }
     if (displacement_budget_.kept() && (step.scope == Scope::everything || step.rebuilt)) drop_tolerances();
+    if (too_expensive) rebuild_from_now_on();
     if (!displacement_budget_.kept() && !alone) tolerance_policy_.note_step_without_tolerances();
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }

@@ -7,11 +7,13 @@
 #include <annulus/engine/repair.h>
 #include <annulus/engine/step.h>
 #include <annulus/engine/tolerance_policy.h>
+#include <annulus/engine/tolerance_slices.h>
 #include <annulus/engine/update_strategy.h>
 #include <annulus/options.h>
 
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -132,15 +134,22 @@ class Tolerance_strategy final : public Update_strategy<d> {
     void resize();
     void stop_rebuilding();
     void compute_tolerances(std::span<const Coordinates<d>> x, Move_result& report);
-    void evaluate_all(std::span<const Coordinates<d>> x, Move_result& report);
+    void invalidate_tolerances() noexcept;
     void drop_tolerances();
     void recompute_if_worthwhile(Move_result& report);
     void recompute_afterwards(Move_result& report);
     void note_displacements(std::span<const Coordinates<d>> x);
     void end_step(bool each, Move_result& report);
     [[nodiscard]] bool next_is_repaired(std::span<const Coordinates<d>> x);
+    void rebuild_from_now_on();
     void rebuild(Step<d>& step);
     void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_result& report);
+
+    // tolerance_strategy_slices.cpp: all tolerances, at once or in slices.
+    void evaluate_slice(std::span<const Coordinates<d>> x, std::pair<std::size_t, std::size_t> slice,
+                        Move_result& report);
+    void recompute_slice(Move_result& report);
+    [[nodiscard]] bool finish_slices(double room, Move_result& report);
 
     Means means_;
     int threads_ = 1;
@@ -150,6 +159,7 @@ class Tolerance_strategy final : public Update_strategy<d> {
     Repair<d> repair_;
     Displacement_budget<d> displacement_budget_;
     Tolerance_policy<d> tolerance_policy_;
+    Tolerance_slices<d> slices_;
     Rebuild_policy<d> rebuild_policy_;
     Move_outcomes<d> outcomes_;
     std::vector<Coordinates<d>> position_;

@@ -16,7 +16,7 @@ void Tolerance_strategy<d>::resize() {
     const std::size_t n = at(table_.vertex_bound());
     grow(position_, n);
     outcomes_.resize(n);
-    if (displacement_budget_.kept()) displacement_budget_.resize();
+    if (displacement_budget_.kept() || slices_.begun()) displacement_budget_.resize();
 }
 
 /// From now on the cells are updated.
@@ -30,7 +30,7 @@ template <int d>
 void Tolerance_strategy<d>::recompute_tolerances(std::span<const Coordinates<d>> x, Move_result& report) {
     const bool own = x.data() == position_.data();
     rebuilding_ = false;
-    displacement_budget_.invalidate();
+    invalidate_tolerances();
     resize();
     if (own) x = position_;
     compute_tolerances(x, report);
@@ -43,7 +43,11 @@ void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x
     tolerance_policy_.note_recomputed();
     ++report.statistics.tolerance_recomputations;
     displacement_budget_.begin(x);
-    if (mesh_.dimension() == d) evaluate_all(x, report);
+    if (mesh_.dimension() == d) {
+        slices_.begin(table_, x);
+        evaluate_slice(x, slices_.take(1.0), report);
+        slices_.end();
+    }
     displacement_budget_.finish_beginning();
 }
 
@@ -78,7 +82,7 @@ void Tolerance_strategy<d>::commit_transaction(Move_result& report) {
 template <int d>
 void Tolerance_strategy<d>::rollback() noexcept {
     position_.swap(saved_);
-    displacement_budget_.invalidate();
+    invalidate_tolerances();
 }
 
 template <int d>
@@ -87,34 +91,17 @@ void Tolerance_strategy<d>::resume_after_rollback() {
     refresh_all(discarded);
 }
 
-/// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
-/// same.
+/// Marks tolerances as void, those that are computed in slices, too.
 template <int d>
-void Tolerance_strategy<d>::evaluate_all(std::span<const Coordinates<d>> x, Move_result& report) {
-    Certificate_checker<d>& checker = repair_.checker();
-    const auto in_blocks = [&]<class I>(I bound, auto add) {
-        const Index block = threads_ > 1 ? 1 << 16 : 1024;
-        for (Index first = 0; first < bound.value(); first += block) {
-            checker.begin(x);
-            const Index last = std::min(bound.value(), first + block);
-            for (I i(first); i.value() < last; ++i) add(i);
-            const Stage_counts counts = checker.evaluate();
-            displacement_budget_.commit_fresh(checker);
-            report.statistics.evaluated += counts.total();
-            report.statistics.arithmetic += counts;
-        }
-    };
-    in_blocks(table_.facet_bound(), [&](Corner_index f) {
-        if (table_.is_facet(f)) checker.add_facet(f);
-    });
-    in_blocks(table_.cell_bound(), [&](Cell_index c) {
-        if (table_.is_cell(c)) checker.add_cell(c);
-    });
+void Tolerance_strategy<d>::invalidate_tolerances() noexcept {
+    displacement_budget_.invalidate();
+    slices_.end();
 }
 
 /// Gives tolerances up: no vertex that moves passes until they are recomputed.
 template <int d>
 void Tolerance_strategy<d>::drop_tolerances() {
+    slices_.end();
     displacement_budget_.drop();
     tolerance_policy_.note_dropped();
 }
@@ -125,25 +112,27 @@ void Tolerance_strategy<d>::add_vertex(Index v, const Coordinates<d>& p) {
     position_[at(v)] = p;
     if (rebuilding_) return;
     resize();
-    if (displacement_budget_.kept()) displacement_budget_.add_vertex(v, p);
+    if (slices_.begun()) slices_.place(v, p);
+    if (displacement_budget_.kept() || slices_.begun()) displacement_budget_.add_vertex(v, p);
 }
 
 template <int d>
 void Tolerance_strategy<d>::restore_position(Index v, const Coordinates<d>& p) noexcept {
     position_[at(v)] = p;
-    displacement_budget_.invalidate();
+    invalidate_tolerances();
 }
 
 template <int d>
 void Tolerance_strategy<d>::truncate(std::size_t bound) {
     position_.resize(bound);
-    displacement_budget_.invalidate();
+    invalidate_tolerances();
 }
 
 template <int d>
 void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_result& report) {
     if (rebuilding_) return;
     resize();
+    if (slices_.begun()) slices_.note_changed(cells);
     if (!displacement_budget_.kept()) return;
     Step<d> step = new_step(position_, none, Scope::expired);
     displacement_budget_.begin_anchoring(step);
@@ -159,7 +148,8 @@ void Tolerance_strategy<d>::refresh(std::span<const Cell_index> cells, Move_resu
 /// Displacements are recorded from time to time while no tolerances are kept, unless they never are.
 template <int d>
 void Tolerance_strategy<d>::note_displacements(std::span<const Coordinates<d>> x) {
-    if (displacement_budget_.kept() || means_ == Means::signs) tolerance_policy_.forget_displacements();
+    if (displacement_budget_.kept() || slices_.begun() || means_ == Means::signs)
+        tolerance_policy_.forget_displacements();
     else tolerance_policy_.note_displacements(table_, position_, x);
 }
 
@@ -174,14 +164,17 @@ void Tolerance_strategy<d>::end_step(bool each, Move_result& report) {
 }
 
 /// Called at the end of a time step that was repaired by signs (after a rebuild no tolerances are recomputed), not of
-/// the one that decided it: at its beginning it is not known whether a rebuild is to come. The two together cost no
-/// more than a time step may.
+/// the one that decided it: at its beginning it is not known whether a rebuild is to come. `auto` recomputes them in
+/// slices, so that no time step costs more than Rebuild_policy::step_limit(); otherwise the two together cost no more
+/// than a time step may.
 template <int d>
 void Tolerance_strategy<d>::recompute_afterwards(Move_result& report) {
     static_assert(Rebuild_policy<d>::share() + Cost_model<d>::recomputation < 1.45 * Cost_model<d>::insertion);
     try {
-        recompute_if_worthwhile(report);
+        if (means_ == Means::any) recompute_slice(report);
+        else recompute_if_worthwhile(report);
     } catch (const std::bad_alloc&) {  // the time step has been made
+        if (slices_.begun()) drop_tolerances();
     }
 }
 
@@ -214,15 +207,19 @@ void Tolerance_strategy<d>::rebuild_all(std::span<const Coordinates<d>> x, bool 
     report.moves.rebuilt += mesh_.vertices();
 }
 
+/// With `any`: repair gave up, or cost more than a rebuild.
+template <int d>
+void Tolerance_strategy<d>::rebuild_from_now_on() {
+    rebuild_policy_.gave_up();
+    drop_tolerances();
+    rebuilding_ = true;
+}
+
 /// After repair gave up. After a duplicate point the cells are rebuilt at the old positions, with other numbers.
 template <int d>
 void Tolerance_strategy<d>::rebuild(Step<d>& step) {
     try {
-        if (means_ == Means::any) {
-            rebuild_policy_.gave_up();
-            drop_tolerances();
-            rebuilding_ = true;
-        }
+        if (means_ == Means::any) rebuild_from_now_on();
         mesh_.rebuild(step.x);
     } catch (const Error&) {
         if (step.mover != none) position_[at(step.mover)] = step.source;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/types.h>
 #include <annulus/options.h>
 #include <annulus/periodic_mesh.h>
+#include <annulus/types.h>
 #include <apps/cli/image_path.h>
 
 #include <cstdint>

@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 8> heads{"summary.json",    "compare.json
                                                 "degeneracy.json", "counterexample.json", "reproduction.json",
                                                 "sums.json",       "advise.json"};
 constexpr std::array<std::string_view, 18> others{
-    "iterations.csv",  "dihedral.csv",   "final.mesh", "domain.mesh", "domain.vtu",    "domain.msh",
-    "domain.vtk",      "quality.csv",    "final.vtu",  "report.html", "stipples.svg",  "ids.csv",
-    "degeneracy.html", "degeneracy.csv", "frames.pvd", "voronoi.csv", "pairs.csv", "changes.csv"};
+    "iterations.csv",  "dihedral.csv",   "final.mesh", "domain.mesh", "domain.vtu",   "domain.msh",
+    "domain.vtk",      "quality.csv",    "final.vtu",  "report.html", "stipples.svg", "ids.csv",
+    "degeneracy.html", "degeneracy.csv", "frames.pvd", "voronoi.csv", "pairs.csv",    "changes.csv"};
 
 /// frame-000012.vtu
 bool is_frame(std::string_view name) {

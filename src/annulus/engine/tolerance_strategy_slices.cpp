@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How `tolerances` and `auto` evaluate the tolerances of everything: at once, or in slices.
+#include <annulus/engine/tolerance_strategy.h>
+
+#include <algorithm>
+
+namespace annulus::inline v1 {
+
+/// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
+/// same.
+template <int d>
+void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::pair<std::size_t, std::size_t> slice,
+                                           Move_result& report) {
+    Certificate_checker<d>& checker = repair_.checker();
+    const std::size_t block = threads_ > 1 ? 1 << 16 : 1024;
+    const std::size_t facets = slices_.facets();
+    const auto changed = [&](Corner_index h) { return slices_.has_changed(Corner_table<d>::cell_of(h)); };
+    for (std::size_t first = slice.first; first < slice.second;) {
+        // A block has facets or cells, and begins at a multiple of its size whatever the slices.
+        const std::size_t origin = first < facets ? 0 : facets;
+        const std::size_t end = origin + ((first - origin) / block + 1) * block;
+        const std::size_t last = std::min({end, slice.second, first < facets ? facets : slices_.all()});
+        checker.begin(x);
+        for (std::size_t k = first; k < last; ++k) {
+            if (k < facets) {
+                const Corner_index f(static_cast<Index>(k));
+                if (table_.is_facet(f) && !changed(f) && !changed(table_.twin(f))) checker.add_facet(f);
+            } else {
+                const Cell_index c(static_cast<Index>(k - facets));
+                if (table_.is_cell(c) && !slices_.has_changed(c)) checker.add_cell(c);
+            }
+        }
+        const Stage_counts counts = checker.evaluate();
+        displacement_budget_.commit_fresh(checker);
+        report.statistics.evaluated += counts.total();
+        report.statistics.arithmetic += counts;
+        first = last;
+    }
+}
+
+/// As much of it as this time step may still cost, when tolerances would last or this has begun before. Tolerances are
+/// kept once all are there and what has expired meanwhile was evaluated. If that costs too much, it is left to the
+/// next time step, and given up where that cannot afford it either.
+template <int d>
+void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
+    const auto n = static_cast<double>(mesh_.vertices());
+    if (!slices_.begun()) {
+        if (!tolerance_policy_.take_recomputation()) return;
+        slices_.begin(table_, position_);
+        displacement_budget_.begin(position_);
+    }
+    const double most = Rebuild_policy<d>::step_limit(mesh_.vertices());
+    const bool was_complete = slices_.complete();
+    const auto slice = slices_.take((most - report.statistics.cost) / (Cost_model<d>::recomputation * n));
+    report.statistics.cost += Cost_model<d>::recomputation * n * static_cast<double>(slice.second - slice.first) /
+                              static_cast<double>(slices_.all());
+    evaluate_slice(slices_.positions(), slice, report);
+    if (!slices_.complete()) return;
+    if (finish_slices(most - report.statistics.cost, report)) slices_.end();
+    else if (was_complete) drop_tolerances();
+}
+
+/// The step from where the slices began to the present positions, at which every certificate holds. False, with
+/// nothing done, when it would cost more than there is room for.
+template <int d>
+bool Tolerance_strategy<d>::finish_slices(double room, Move_result& report) {
+    displacement_budget_.finish_beginning();
+    Step<d> step = new_step(position_, none, Scope::expired);
+    (void)find_failed(step);
+    const double failures = Cost_model<d>::failure * static_cast<double>(step.failed.size());
+    Certificate_checker<d>& checker = repair_.checker();
+    checker.begin(position_);
+    if (failures <= room) {
+        displacement_budget_.find_expired(step, checker);
+        std::vector<Cell_index> changed;
+        for (const Cell_index c : table_.cells())
+            if (slices_.has_changed(c)) changed.push_back(c);
+        checker.add_cells(changed);
+    }
+    if (failures + checker.pending_cost() > room) {
+        displacement_budget_.undo(step);
+        displacement_budget_.invalidate();
+        previous_ = std::move(step);
+        return false;
+    }
+    const Stage_counts counts = checker.evaluate();
+    displacement_budget_.commit(step, checker);
+    report.statistics.evaluated += counts.total();
+    report.statistics.arithmetic += counts;
+    report.statistics.cost += failures + checker.cost(counts);
+    tolerance_policy_.note_recomputed();
+    ++report.statistics.tolerance_recomputations;
+    previous_ = std::move(step);
+    return true;
+}
+
+template class Tolerance_strategy<2>;
+template class Tolerance_strategy<3>;
+
+}  // namespace annulus::inline v1
