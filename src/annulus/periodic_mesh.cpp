@@ -131,7 +131,10 @@ struct Periodic_mesh<d>::Parts {
         const Periodic_repair_result repaired =
             repair.repair(state.table, {state.lattice, state.place}, {next.lattice, next.place}, budget);
         if (repaired.done) std::swap(next.table, state.table);
-        else build(next);
+        else {
+            build(next);
+            budget.charge(copy * static_cast<double>(builder.copies()));
+        }
         state = std::move(next);
         Move_result result;
         result.moves.asked = n;
@@ -161,6 +164,10 @@ Periodic_mesh<d>::Periodic_mesh(Periodic_mesh&&) noexcept = default;
 template <int d>
 Periodic_mesh<d>& Periodic_mesh<d>::operator=(Periodic_mesh&&) noexcept = default;
 
+template <int d>
+Move_result Periodic_mesh<d>::move_all(std::span<const Point> points) {
+    return move_all(points, Box<d>(parts_->state.lattice.given()));
+}
 template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
     if (points.size() != number_of_vertices())

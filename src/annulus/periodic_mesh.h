@@ -54,10 +54,11 @@ class Periodic_mesh {
     Periodic_mesh(Periodic_mesh&&) noexcept;
     Periodic_mesh& operator=(Periodic_mesh&&) noexcept;
 
-    /// Moves all points, in the order of their indices; any image of each. In the result all are `rebuilt`, or those
-    /// are `flipped` that are in cells made by flips, and the others `kept_in_place`; it lists no cells. Throws what
-    /// the constructor throws, and wrong_size unless there are as many as before.
-    Move_result move_all(std::span<const Point> points) { return move_all(points, box()); }
+    /// Moves all points, in the order of their indices; any image of each. The box is the same, as it was given, not
+    /// rounded. In the result all are `rebuilt`, or those are `flipped` that are in cells made by flips, and the others
+    /// `kept_in_place`; it lists no cells, and its cost is that of flips and of a build. Throws what the constructor
+    /// throws, and wrong_size unless there are as many as before.
+    Move_result move_all(std::span<const Point> points);
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);
 
@@ -65,7 +66,8 @@ class Periodic_mesh {
     /// The box with its vectors rounded to the grid.
     [[nodiscard]] const Box<d>& box() const;
     /// The images of the points that the caller gave, rounded to the grid; the nearest doubles to these where a point
-    /// is more than eight boxes away from the origin. Valid until the next call of move_all, as all spans here.
+    /// is more than eight boxes away from the origin (of the reduced box, where the box is skewed). Valid until the
+    /// next call of move_all, as all spans here.
     [[nodiscard]] std::span<const Point> points() const;
     /// The representatives of the points near the origin's box: exact, wherever the points are. Valid as long as
     /// points().

@@ -126,7 +126,7 @@ struct Move_counts {
 
 /// What a call cost. Not a stable interface: it follows the strategies, so members may go, come, and count otherwise
 /// in the next version. Star walks, recomputations of tolerances, cost, and steps by tolerances or signs are counted
-/// by `tolerances`, `tolerances-each`, `auto` and `in-place` alone.
+/// by `tolerances`, `tolerances-each`, `auto` and `in-place` alone; cost also where `paper` has to rebuild everything.
 struct Move_statistics {
     Stage_counts arithmetic;            ///< stage that decided, per certificate evaluated
     std::uint64_t evaluated = 0;        ///< certificates evaluated

@@ -8,6 +8,7 @@
 #include <support/periodic_boxes.h>
 #include <support/repeats.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -251,4 +252,37 @@ TEST_CASE("A call that fails leaves a periodic mesh as it was, and names vertice
     }
     CHECK(state_of(mesh) != before);
     CHECK(mesh.audit().delaunay());
+}
+
+TEST_CASE("A periodic move that flips and runs out of memory changes nothing", "[periodic]") {
+    Periodic_cases cases(5);
+    const Box<2> box = cases.box<2>(4);
+    const auto x = cases.points<2>(box, 60, 1);
+    auto y = x;
+    for (auto& p : y)
+        for (double& c : p) c += cases.uniform(-0.02, 0.02);
+    Periodic_mesh<2> mesh(x, box);
+    const auto before = state_of(mesh);
+    Move_result result;
+    for (std::uint64_t n = 0;; ++n) {
+        const Starved outcome = starve(n, Memory::short_for_good, [&] { result = mesh.move_all(y, box); });
+        if (outcome == Starved::done) break;
+        CHECK(outcome == Starved::refused);
+        REQUIRE(state_of(mesh) == before);
+    }
+    CHECK(result.statistics.flips > 0);
+    CHECK(mesh.audit().delaunay());
+}
+
+TEST_CASE("Points far from a box that is rounded are at the same places when they are given again", "[periodic]") {
+    Periodic_cases cases(6);
+    const Box<3> box = Box<3>::orthorhombic({3.615, 3.3, 2.7});
+    auto x = cases.points<3>(box, 10, 1);
+    for (auto& p : x)
+        for (std::size_t i = 0; i < 3; ++i) p[i] += 1000 * box.vectors()[i][i];
+    Periodic_mesh<3> mesh(x, box);
+    const std::vector<Coordinates<3>> before(mesh.places().begin(), mesh.places().end());
+    for (int turn = 0; turn < 2; ++turn) CHECK(mesh.move_all(x).moves.kept_in_place == x.size());
+    CHECK(std::equal(before.begin(), before.end(), mesh.places().begin()));
+    CHECK(mesh.saved().vectors == box.vectors());
 }

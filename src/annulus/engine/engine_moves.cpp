@@ -169,6 +169,7 @@ void Engine<d>::move_everything(std::span<const Point> points, Move_result& repo
 
 template <int d>
 void Engine<d>::rebuild_all(std::span<const Point> x, Move_result& report) {
+    report.statistics.cost += Rebuild_policy<d>::rebuild_cost(mesh_.vertices());
     mesh_.rebuild(x);
     report.moves.asked += mesh_.vertices();
     report.moves.rebuilt += mesh_.vertices();

@@ -14,7 +14,7 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr int most_rounds = 64;
-constexpr int most_idle_rounds = 3;
+constexpr int most_idle_rounds = 24;  // in each a vertex tries half as much of its way; a build costs more
 
 }  // namespace
 
@@ -24,8 +24,8 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
     Periodic_repair_result result;
     if (!motion_.begin(from, to)) return result;
     budget_ = &budget;
-    flips_ = 0;
-    unused_.clear();
+    made_.flips = 0;
+    made_.unused.clear();
     bool copied = false;
     const auto copy = [&] {
         if (!copied) work_ = table;
@@ -50,50 +50,28 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
     copy();
     signs_.rebind(work_);
     if (!calm && !flip_until_done(to.lattice)) return result;
-    close_gaps<d>(work_, unused_);
+    close_gaps<d>(work_, made_.unused);
     if (!motion_.relabel_goal(work_) || !is_proved_delaunay<d>(work_, to.lattice, to.place)) return result;
     result.done = true;
-    result.flips = flips_;
-    if (!calm) result.flipped = static_cast<std::size_t>(std::count(flipped_.begin(), flipped_.end(), 1));
+    result.flips = made_.flips;
+    if (!calm) result.flipped = static_cast<std::size_t>(std::count(made_.flipped.begin(), made_.flipped.end(), 1));
     std::swap(table, work_);
     return result;
 }
 
 template <int d>
-void Periodic_repair<d>::find_corners() {
-    corner_of_.assign(motion_.home().size(), no_corner);
-    for (std::size_t c = 0; c < work_.size(); ++c)
-        for (std::size_t i = 0; i <= d; ++i)
-            corner_of_[static_cast<std::size_t>(work_.vertex[c][i])] = work_.corner(c, i);
-}
-
-/// All corners of a vertex are around one image of it.
-template <int d>
 void Periodic_repair<d>::moved(Index v) {
-    std::vector<Corner_index> star{corner_of_[static_cast<std::size_t>(v)]};
-    for (std::size_t k = 0; k < star.size(); ++k) {
-        const std::size_t c = work_.cell_of(star[k]), slot = work_.slot_of(star[k]);
-        for (std::size_t i = 0; i <= d; ++i) {
-            if (i == slot) continue;
-            const std::size_t m = work_.cell_of(work_.twin[c][i]);
-            const Corner_index h = work_.corner(m, work_.slot(m, work_.image(c, slot), work_.translation(c, i)));
-            if (std::find(star.begin(), star.end(), h) == star.end()) star.push_back(h);
-        }
-    }
-    for (const Corner_index h : star) signs_.test_cell(work_.cell_of(h));
+    for (const Corner_index h : star_.of(work_, v)) signs_.test_cell(work_.cell_of(h));
 }
 
 template <int d>
 bool Periodic_repair<d>::replace(std::span<const Lifted_cell<d>> gone, std::span<const Cell_images<d>> came) {
-    if (!replace_periodic_cells<d>(work_, gone, came, unused_, made_)) return false;
-    ++flips_;
+    if (!replace_periodic_cells<d>(work_, gone, came, made_.unused, made_.latest)) return false;
+    ++made_.flips;
     budget_->charge(Cost_model<d>::flip);
-    for (const std::size_t c : made_) {
-        for (std::size_t i = 0; i <= d; ++i) {
-            const auto v = static_cast<std::size_t>(work_.vertex[c][i]);
-            corner_of_[v] = work_.corner(c, i);
-            flipped_[v] = 1;
-        }
+    for (const std::size_t c : made_.latest) {
+        star_.add(work_, c);
+        for (const Index v : work_.vertex[c]) made_.flipped[static_cast<std::size_t>(v)] = 1;
         signs_.test_cell(c);
     }
     return true;
@@ -153,8 +131,8 @@ bool Periodic_repair<d>::nothing_inverted() {
 template <int d>
 bool Periodic_repair<d>::flip_until_done(const Lattice<d>& lattice) {
     left_ = {};
-    flipped_.assign(motion_.home().size(), 0);
-    find_corners();
+    made_.flipped.assign(motion_.home().size(), 0);
+    star_.begin(work_, motion_.home().size());
     held_.begin({.x = motion_.goal(), .source = motion_.home(), .mover = none, .grid = lattice.grid()},
                 motion_.home().size());
     struct Back {

@@ -5,6 +5,7 @@
 #include <annulus/engine/held_back.h>
 #include <annulus/engine/periodic_motion.h>
 #include <annulus/engine/periodic_signs.h>
+#include <annulus/mesh/periodic_star.h>
 #include <annulus/mesh/replace_periodic_cells.h>
 
 #include <cstddef>
@@ -43,6 +44,12 @@ class Periodic_repair {
         std::vector<std::size_t> inverted_at_source;
         std::vector<Corner_index> stuck, waiting;  // facets that no flip repairs, at present
     };
+    /// What flips have made.
+    struct Made {
+        std::uint64_t flips = 0;
+        std::vector<std::uint8_t> flipped;        // by vertex: whether it is in a cell that a flip made
+        std::vector<std::size_t> unused, latest;  // numbers of no cell, and the cells of the latest flip
+    };
 
     [[nodiscard]] bool is_cell(std::size_t c) const { return work_.vertex[c][0] != none; }
     [[nodiscard]] bool flip_until_done(const Lattice<d>& lattice);
@@ -52,19 +59,16 @@ class Periodic_repair {
     [[nodiscard]] bool flip(Corner_index h);
     [[nodiscard]] bool replace(std::span<const Lifted_cell<d>> gone, std::span<const Cell_images<d>> came);
     [[nodiscard]] bool nothing_inverted();
-    void find_corners();
     void moved(Index v);
 
     Periodic_motion<d> motion_;
     Periodic_signs<d> signs_;
     Held_back<d> held_;
     Left left_;
-    Periodic_table<d> work_;                  // the table that is flipped
-    std::vector<std::size_t> unused_, made_;  // cells of it
-    std::vector<Corner_index> corner_of_;     // by vertex: one of its corners
-    std::vector<std::uint8_t> flipped_;       // by vertex
+    Periodic_table<d> work_;  // the table that is flipped
+    Periodic_star<d> star_;   // of it
+    Made made_;
     Budget* budget_ = nullptr;
-    std::uint64_t flips_ = 0;
 };
 
 // What the dimensions do not share: periodic_repair_flip.cpp.
