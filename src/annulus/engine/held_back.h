@@ -66,11 +66,11 @@ class Held_back {
     /// Whether a single vertex moves.
     [[nodiscard]] bool is_of_one() const { return path_.mover != none; }
     /// Whether it is not at its target.
-    [[nodiscard]] bool is_waiting(const Held& held) const { return path_.x[at(held.vertex)] != held.target; }
+    [[nodiscard]] bool is_waiting(const Entry& held) const { return path_.x[at(held.vertex)] != held.target; }
     /// Whether a vertex got nearer to its target in this round.
     [[nodiscard]] bool has_advanced() const {
         return std::any_of(held_.begin(), held_.end(),
-                           [this](const Held& h) { return path_.x[at(h.vertex)] != h.source; });
+                           [this](const Entry& h) { return path_.x[at(h.vertex)] != h.source; });
     }
 
     /// Moves one of these vertices back, the one farthest from its source: half way the first time, to its source the
@@ -177,7 +177,7 @@ bool Held_back<d>::advance(Moved moved) {
 template <int d>
 template <class Place>
 bool Held_back<d>::place(Place place) {
-    for (const Held& held : held_)
+    for (const Entry& held : held_)
         if (is_waiting(held) && !place(path_.x, held.vertex, held.target)) return false;
     return true;
 }
