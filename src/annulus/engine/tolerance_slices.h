@@ -33,12 +33,13 @@ class Tolerance_slices {
         facets_ = static_cast<std::size_t>(table.facet_bound().value());
         all_ = facets_ + table.cell_bound().offset();
         next_ = 0;
+        changes_ = false;
         begun_ = true;
     }
     [[nodiscard]] bool begun() const { return begun_; }
     /// Ends, and releases the memory.
     void end() noexcept {
-        begun_ = false;
+        begun_ = changes_ = false;
         release(changed_);
         release(position_);
     }
@@ -60,9 +61,12 @@ class Tolerance_slices {
 
     /// These cells are new, or have other neighbours. Those beyond the cells of the beginning need not be named.
     void note_changed(std::span<const Cell_index> cells) {
+        changes_ = changes_ || !cells.empty();
         for (const Cell_index c : cells)
             if (changed_.has(c)) changed_[c] = 1;
     }
+    /// Whether any was named.
+    [[nodiscard]] bool has_changes() const { return changes_; }
     [[nodiscard]] bool has_changed(Cell_index c) const { return !changed_.has(c) || changed_[c] != 0; }
     /// Vertex v is new, and here.
     void place(Index v, const Coordinates<d>& here) {
@@ -73,6 +77,7 @@ class Tolerance_slices {
 
   private:
     bool begun_ = false;
+    bool changes_ = false;
     std::vector<Coordinates<d>> position_;
     By_cell<std::uint8_t> changed_;  // of the cells of the beginning
     std::size_t facets_ = 0;

@@ -9,33 +9,33 @@ namespace annulus::inline v1 {
 /// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
 /// same.
 template <int d>
-void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::pair<std::size_t, std::size_t> slice,
-                                           Move_result& report) {
+void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::size_t facets,
+                                           std::pair<std::size_t, std::size_t> slice, Move_result& report) {
     Certificate_checker<d>& checker = repair_.checker();
-    const std::size_t block = threads_ > 1 ? 1 << 16 : 1024;
-    const std::size_t facets = slices_.facets();
-    const auto changed = [&](Corner_index h) { return slices_.has_changed(Corner_table<d>::cell_of(h)); };
-    for (std::size_t first = slice.first; first < slice.second;) {
-        // A block has facets or cells, and begins at a multiple of its size whatever the slices.
-        const std::size_t origin = first < facets ? 0 : facets;
-        const std::size_t end = origin + ((first - origin) / block + 1) * block;
-        const std::size_t last = std::min({end, slice.second, first < facets ? facets : slices_.all()});
-        checker.begin(x);
-        for (std::size_t k = first; k < last; ++k) {
-            if (k < facets) {
-                const Corner_index f(static_cast<Index>(k));
-                if (table_.is_facet(f) && !changed(f) && !changed(table_.twin(f))) checker.add_facet(f);
-            } else {
-                const Cell_index c(static_cast<Index>(k - facets));
-                if (table_.is_cell(c) && !slices_.has_changed(c)) checker.add_cell(c);
-            }
+    const bool changes = slices_.has_changes();
+    const auto changed = [&](Cell_index c) { return changes && slices_.has_changed(c); };
+    const auto in_blocks = [&](std::size_t first, std::size_t last, auto add) {
+        const std::size_t block = threads_ > 1 ? 1 << 16 : 1024;
+        while (first < last) {
+            const std::size_t end = std::min(last, (first / block + 1) * block);
+            checker.begin(x);
+            for (; first < end; ++first) add(static_cast<Index>(first));
+            const Stage_counts counts = checker.evaluate();
+            displacement_budget_.commit_fresh(checker);
+            report.statistics.evaluated += counts.total();
+            report.statistics.arithmetic += counts;
         }
-        const Stage_counts counts = checker.evaluate();
-        displacement_budget_.commit_fresh(checker);
-        report.statistics.evaluated += counts.total();
-        report.statistics.arithmetic += counts;
-        first = last;
-    }
+    };
+    in_blocks(std::min(slice.first, facets), std::min(slice.second, facets), [&](Index i) {
+        const Corner_index f(i);
+        if (!table_.is_facet(f)) return;
+        if (changes && (changed(table_.cell_of(f)) || changed(table_.cell_of(table_.twin(f))))) return;
+        checker.add_facet(f);
+    });
+    in_blocks(std::max(slice.first, facets) - facets, std::max(slice.second, facets) - facets, [&](Index i) {
+        const Cell_index c(i);
+        if (table_.is_cell(c) && !changed(c)) checker.add_cell(c);
+    });
 }
 
 /// As much of it as this time step may still cost, when tolerances would last or this has begun before. Tolerances are
@@ -54,7 +54,7 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
     const auto slice = slices_.take((most - report.statistics.cost) / (Cost_model<d>::recomputation * n));
     report.statistics.cost += Cost_model<d>::recomputation * n * static_cast<double>(slice.second - slice.first) /
                               static_cast<double>(slices_.all());
-    evaluate_slice(slices_.positions(), slice, report);
+    evaluate_slice(slices_.positions(), slices_.facets(), slice, report);
     if (!slices_.complete()) return;
     if (finish_slices(most - report.statistics.cost, report)) slices_.end();
     else if (was_complete) drop_tolerances();

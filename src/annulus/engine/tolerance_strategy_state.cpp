@@ -44,9 +44,8 @@ void Tolerance_strategy<d>::compute_tolerances(std::span<const Coordinates<d>> x
     ++report.statistics.tolerance_recomputations;
     displacement_budget_.begin(x);
     if (mesh_.dimension() == d) {
-        slices_.begin(table_, x);
-        evaluate_slice(x, slices_.take(1.0), report);
-        slices_.end();
+        const auto facets = static_cast<std::size_t>(table_.facet_bound().value());
+        evaluate_slice(x, facets, {0, facets + table_.cell_bound().offset()}, report);
     }
     displacement_budget_.finish_beginning();
 }
