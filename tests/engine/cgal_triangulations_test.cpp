@@ -178,6 +178,7 @@ TEMPLATE_TEST_CASE_SIG("Data at cells that a call has written have their default
     const Move_result r = dt.move_all(x);
     std::size_t kept = 0, now = 0;
     all([&](auto& c) { kept += c.info().value == 1 ? 1U : 0U, ++now; });
+    CAPTURE(kept, now, r.moves.rebuilt, r.moves.reinserted, r.moves.flipped, r.statistics.flips, r.changed.size());
     CHECK((kept > 0 && kept < now));
     CHECK(now - kept >= r.changed.size() / (d + 1));
 }

@@ -114,7 +114,7 @@ TEMPLATE_TEST_CASE_SIG("Tolerances are recomputed in slices, and the steps meanw
 TEST_CASE("Vertices held back are reinserted when rounds stop paying", "[repair]") {
     constexpr std::size_t n = 1000;
     const double rebuild = Rebuild_policy<3>::rebuild_cost(n);
-    Late_rounds<3> rounds(n, 0.1 * rebuild);
+    Late_rounds<3> rounds(rebuild, 0.1 * rebuild);
     rounds.note(0.4 * rebuild, 0.55 * rebuild);  // the first round: nothing was held back before
     CHECK_FALSE(rounds.reinserts(false));
     CHECK(rounds.reinserts(true));
@@ -129,7 +129,7 @@ TEST_CASE("Vertices held back are reinserted when rounds stop paying", "[repair]
     rounds.note(0.53 * rebuild, 0.0);
     CHECK_FALSE(rounds.reinserts(true));
     CHECK_FALSE(rounds.gives_up());
-    Late_rounds<3> hopeless(n, 0.1 * rebuild);
+    Late_rounds<3> hopeless(rebuild, 0.1 * rebuild);
     hopeless.note(0.4 * rebuild, 1.2 * rebuild);
     CHECK_FALSE(hopeless.reinserts(true));
     CHECK_FALSE(hopeless.gives_up());

@@ -132,7 +132,7 @@ bool Flip_repair<d>::nothing_inverted() {
 template <int d>
 void Flip_repair<d>::run() {
     const bool many = !held_.is_of_one();
-    Late_rounds<d> rounds(mesh_.vertices(), budget_->spent);
+    Late_rounds<d> rounds(std::max(Rebuild_policy<d>::rebuild_cost(mesh_.vertices()), budget_->limit), budget_->spent);
     int idle = 0;
     bool was_stuck = false;
     for (int round = 0; round < most_rounds && idle < most_idle_rounds; ++round) {

@@ -4,7 +4,6 @@
 #include <annulus/engine/rebuild_policy.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -16,9 +15,9 @@ namespace annulus::inline v1 {
 template <int d>
 class Late_rounds {
   public:
-    /// Of a triangulation of so many vertices; `spent` is the cost of the time step so far.
-    Late_rounds(std::size_t vertices, double spent)
-        : rebuild_(Rebuild_policy<d>::rebuild_cost(vertices)), spent_(spent) {}
+    /// Where a rebuild costs so much, or where repair may cost more, so much; `spent` is the cost of the time step so
+    /// far.
+    Late_rounds(double rebuild, double spent) : rebuild_(rebuild), spent_(spent) {}
 
     /// A round is over, after which the step has cost `spent`, and the reinsertion of all that are not at their targets
     /// would cost `reinsertion`: 0 when all are.
