@@ -3,6 +3,7 @@
 // repairs that do not fail late. No clock is read.
 #include <annulus/engine/late_rounds.h>
 #include <annulus/engine/rebuild_policy.h>
+#include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
 
 #include <support/catch.h>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 using namespace annulus;
@@ -109,6 +111,36 @@ TEMPLATE_TEST_CASE_SIG("Tolerances are recomputed in slices, and the steps meanw
             CHECK(within > 0);
             if (seed % 3 == 0) CHECK(slices >= 1);
         }
+}
+
+// The table grows beyond what it was at the first slice, and the star of a vertex that left its tolerance has cells
+// whose expiries were read beyond the end of an array. The library's assertions find that (preset `sanitize-all`).
+TEST_CASE("Steps that make cells while tolerances are computed in slices", "[engine]") {
+    constexpr std::size_t n = 500;
+    int grown = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        CAPTURE(seed);
+        Run<3> run("uniform", "few", n, 0.01, seed);
+        bench::Scene<3> all("uniform", "walk", n, 0.003, seed);
+        const std::vector<Coordinates<3>> from(all.points().begin(), all.points().end());
+        Cell_index bound;
+        bool begun = false;
+        for (int step = 0; step < 30; ++step) {
+            CAPTURE(step);
+            run.scene.step();
+            if (begun) all.step();
+            std::vector<Coordinates<3>> x(run.scene.points().begin(), run.scene.points().end());
+            for (std::size_t v = 0; v < n; ++v)
+                for (std::size_t k = 0; k < 3; ++k) x[v][k] += all.points()[v][k] - from[v][k];
+            const Move_result r = run.mesh.move_all(std::span<const Coordinates<3>>(x));
+            const Cell_index before = std::exchange(bound, run.mesh.mesh().table().cell_bound());
+            const bool ends = r.statistics.tolerance_recomputations > 0;
+            if (begun && ends && bound > before) ++grown;
+            begun = run.rebuilds(r) > 1.1 && !ends;
+            REQUIRE(run.mesh.audit().delaunay());
+        }
+    }
+    CHECK(grown > 0);
 }
 
 TEST_CASE("Vertices held back are reinserted when rounds stop paying", "[repair]") {

@@ -85,6 +85,7 @@ class Flip_repair {
 
     // flip_repair_reinsert.cpp
     bool test_touched(std::size_t first);
+    [[nodiscard]] bool stars_are_whole(std::size_t first) const;
     [[nodiscard]] bool rebuild_stuck();
     [[nodiscard]] double cost_of_reinsertion() const;
     [[nodiscard]] bool reinsert_held();

@@ -8,6 +8,7 @@
 #include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace annulus::inline v1 {
 
@@ -24,9 +25,35 @@ bool Flip_repair<d>::test_touched(std::size_t first) {
     return at_border;
 }
 
+/// Whether a walk around each vertex meets every new cell that has it, of those touched from this one on. A cavity that
+/// was rebuilt beside inverted cells may have left two stars at one vertex, of which a walk meets one.
+template <int d>
+bool Flip_repair<d>::stars_are_whole(std::size_t first) const {
+    std::vector<Cell_index> made;
+    std::copy_if(result_.touched.begin() + static_cast<std::ptrdiff_t>(first), result_.touched.end(),
+                 std::back_inserter(made), [this](Cell_index c) { return table_.is_cell(c); });
+    sort_unique(made);
+    std::vector<Index> vertices;  // of each of them
+    for (const Cell_index c : made)
+        for (const Index v : cell_vertices(table_, c))
+            if (v != infinite) vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    for (auto v = vertices.begin(); v != vertices.end();) {
+        const auto next = std::upper_bound(v, vertices.end(), *v);
+        std::ptrdiff_t met = 0;
+        table_.for_each_corner(*v, [&](Corner_index h) {
+            met += std::binary_search(made.begin(), made.end(), Corner_table<d>::cell_of(h)) ? 1 : 0;
+        });
+        if (met != next - v) return false;
+        v = next;
+    }
+    return true;
+}
+
 /// Rebuilds the cells at facets that no flip repairs, with vertices where they are tried. Otherwise each round would
-/// test these facets again after each flip, exactly as a rule. Vertices may move afterwards only because the border is
-/// still in one piece (docs/theory.md 6.5). False when it is not, or has become too expensive.
+/// test these facets again after each flip, exactly as a rule. Vertices may move afterwards only because the border
+/// and the stars of vertices are still in one piece (docs/theory.md 6.5). False when they are not, or this has become
+/// too expensive.
 template <int d>
 bool Flip_repair<d>::rebuild_stuck() {
     std::vector<Cell_index> seeds;
@@ -47,7 +74,7 @@ bool Flip_repair<d>::rebuild_stuck() {
     (void)local_.rebuild(held_.positions(), seeds, static_cast<std::size_t>(most), result_.touched);
     budget_->charge(Cost_model<d>::point * static_cast<double>(local_.points()));
     if (test_touched(first) && !border_is_whole(table_)) return false;
-    return nothing_inverted() && flip_violated();
+    return stars_are_whole(first) && nothing_inverted() && flip_violated();
 }
 
 /// The cost of the reinsertion of all vertices that are not at their targets.

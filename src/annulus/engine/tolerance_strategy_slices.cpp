@@ -64,6 +64,7 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
 /// nothing done, when it would cost more than there is room for.
 template <int d>
 bool Tolerance_strategy<d>::finish_slices(double room, Move_result& report) {
+    displacement_budget_.resize();  // steps meanwhile have made cells
     displacement_budget_.finish_beginning();
     Step<d> step = new_step(position_, none, Scope::expired);
     (void)find_failed(step);
