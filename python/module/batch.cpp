@@ -61,7 +61,7 @@ void raise_thrown(const std::vector<std::exception_ptr>& thrown) {
         }
     }
     if (errors.empty()) return;
-    const py::object error = py::module_::import("annulus._error").attr("batch_error")(errors);
+    const py::object error = call(attribute_of_errors("batch_error"), py::make_tuple(errors));
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
     throw py::error_already_set();
 }

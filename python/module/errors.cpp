@@ -27,10 +27,22 @@ std::string_view name_of(Error_code code) {
     return "";
 }
 
+py::object call(const py::object& function, const py::tuple& arguments) {
+    PyObject* const result = may_wait_for_gil([&] { return PyObject_CallObject(function.ptr(), arguments.ptr()); });
+    if (result == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(result);
+}
+
+py::object attribute_of_errors(const char* name) {
+    PyObject* const module = may_wait_for_gil([] { return PyImport_ImportModule("annulus._error"); });
+    if (module == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(module).attr(name);
+}
+
 /// The class is written in Python, where it is easier to read; the package imports it before anything of this module is
 /// called.
 py::object error_of(const Error& e) {
-    const py::object type = py::module_::import("annulus._error").attr("Error");
+    const py::object type = attribute_of_errors("Error");
     // Names of files need not be UTF-8.
     const std::string_view what = e.what();
     const auto words = py::reinterpret_steal<py::object>(
@@ -38,7 +50,7 @@ py::object error_of(const Error& e) {
     if (!words) throw py::error_already_set();
     py::tuple vertices(e.vertices().size());
     for (std::size_t k = 0; k < e.vertices().size(); ++k) vertices[k] = py::int_(e.vertices()[k]);
-    return type(words, py::str(std::string(name_of(e.code()))), vertices);
+    return call(type, py::make_tuple(words, py::str(std::string(name_of(e.code()))), vertices));
 }
 
 namespace {

@@ -45,6 +45,9 @@ CALLS = {
     "nodt": "annulus.nodt('sphere', 100, 10**6)",
     "threads of the library": "annulus.MovingDelaunay(x, threads=2).move(x[::-1].copy())",
     "raising": "\n        try: own.move(np.zeros((500, 3)))\n        except annulus.Error: pass",
+    "a batch": "annulus.MovingDelaunayBatch(x.reshape(6, 500, 3), threads=2).move(x[::-1].reshape(6, 500, 3))",
+    "raising in a batch": "\n        try: annulus.MovingDelaunayBatch(np.zeros((2, 50, 3)))\n        "
+    "except annulus.Error: pass",
 }
 
 

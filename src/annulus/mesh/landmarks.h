@@ -104,6 +104,7 @@ class Landmarks {
         tree_.clear();
         split_.clear();
         tree_.reserve(count);
+        split_.reserve(count);  // here, so that the two agree whatever throws
         std::uint64_t random = 1;
         for (std::size_t k = 0; k < count; ++k) {
             random = random * 6364136223846793005U + 1442695040888963407U;
