@@ -5,6 +5,7 @@
 #include <annulus/mesh/walk.h>
 #include <annulus/predicate/sure_orientation.h>
 
+#include <support/failing_new.h>
 #include <support/generators.h>
 #include <support/meshes.h>
 
@@ -140,4 +141,23 @@ TEST_CASE("Landmarks that are gone, moved or not finite apart are hints like oth
     for (auto& p : x) p = {1.0 - p[0], p[1]};
     CHECK(landmarks.near(x, x.size(), x[600], none, all) >= 0);
     CHECK(landmarks.near(x, 10, x[600], none, all) < 10);  // there were more
+}
+
+TEMPLATE_TEST_CASE_SIG("Landmarks for which memory runs out can be used again, dimension", "[mesh]", ((int d), d), 2,
+                       3) {
+    Random random(6);
+    std::vector<Coordinates<d>> x;
+    for (int i = 0; i < 4000; ++i) x.push_back(place<d>("uniform", random));
+    const auto present = [](Index) { return true; };
+    for (std::uint64_t n = 0;; ++n) {
+        Landmarks<d> landmarks;
+        landmarks.note(5, 4000);  // so long a walk that they are renewed
+        const Starved outcome =
+            starve(n, Memory::short_once, [&] { (void)landmarks.near(x, x.size(), x[7], none, present); });
+        CAPTURE(n, outcome);
+        const Index v = landmarks.near(x, x.size(), x[7], none, present);
+        CHECK((v >= 0 && v < 4000));
+        if (outcome == Starved::done) break;
+        REQUIRE(n < 10);
+    }
 }
