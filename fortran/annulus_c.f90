@@ -269,5 +269,27 @@ module annulus_c
             type(annulus_fault), intent(inout), optional :: faults(*)
             integer(c_size_t), intent(inout), optional :: count
         end function
+        ! What the last call changed.
+        integer(c_int) function annulus_gone(mesh, capacity, vertices, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_edges_made(mesh, capacity, vertices, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_edges_broken(mesh, capacity, vertices, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
     end interface
 end module annulus_c

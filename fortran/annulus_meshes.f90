@@ -43,6 +43,9 @@ module annulus_meshes
         procedure :: convex_hull
         procedure :: find_cells
         procedure :: changed
+        procedure :: gone
+        procedure :: edges_made
+        procedure :: edges_broken
         procedure :: audit
         procedure :: message
         procedure :: error_vertices
@@ -241,6 +244,27 @@ module annulus_meshes
         end subroutine
         ! vertices(d + 1, :) of the cells that the last call created, 0 at infinity; needs report_changes.
         module subroutine changed(self, vertices, stat, errmsg)
+            class(moving_mesh), intent(in) :: self
+            integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! The same of the cells that it removed.
+        module subroutine gone(self, vertices, stat, errmsg)
+            class(moving_mesh), intent(in) :: self
+            integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! vertices(2, :): the pairs of vertices that the last call made neighbours, and those that are neighbours no
+        ! longer, the smaller index first, ascending; need report_changes.
+        module subroutine edges_made(self, vertices, stat, errmsg)
+            class(moving_mesh), intent(in) :: self
+            integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        module subroutine edges_broken(self, vertices, stat, errmsg)
             class(moving_mesh), intent(in) :: self
             integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
             integer, intent(out), optional :: stat

@@ -101,6 +101,42 @@ contains
         call check(self%handle, status, stat, errmsg)
     end procedure
 
+    module procedure gone
+        integer(c_size_t) :: count
+        integer(c_int) :: status
+        status = annulus_gone(self%handle, 0_c_size_t, count=count)
+        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
+            call fit(vertices, self%dimension() + 1, count)
+            status = annulus_gone(self%handle, count, vertices, count)
+            vertices = vertices + 1
+        end if
+        call check(self%handle, status, stat, errmsg)
+    end procedure
+
+    module procedure edges_made
+        integer(c_size_t) :: count
+        integer(c_int) :: status
+        status = annulus_edges_made(self%handle, 0_c_size_t, count=count)
+        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
+            call fit(vertices, 2, count)
+            status = annulus_edges_made(self%handle, count, vertices, count)
+            vertices = vertices + 1
+        end if
+        call check(self%handle, status, stat, errmsg)
+    end procedure
+
+    module procedure edges_broken
+        integer(c_size_t) :: count
+        integer(c_int) :: status
+        status = annulus_edges_broken(self%handle, 0_c_size_t, count=count)
+        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
+            call fit(vertices, 2, count)
+            status = annulus_edges_broken(self%handle, count, vertices, count)
+            vertices = vertices + 1
+        end if
+        call check(self%handle, status, stat, errmsg)
+    end procedure
+
     module procedure audit
         type(annulus_audit_result) :: empty
         result = empty

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 4
+#define ANNULUS_INTERFACE 5
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -70,7 +70,7 @@ typedef struct annulus_options {
     const char* second_look;   // must be NULL or "off"; has no effect
     int32_t threads;           // 1 or more; results do not depend on it. 0, like any member, is the default, here 1
     int32_t merge_duplicates;  // not 0: duplicate points become one vertex instead of ANNULUS_DUPLICATE_POINT
-    int32_t report_changes;    // not 0: annulus_changed lists cells. By default it does not
+    int32_t report_changes;    // not 0: annulus_changed lists cells, annulus_gone, too. By default they do not
     int32_t reserved;          // 0
     uint64_t seed;             // of the sample that "paper-hybrid" draws
 } annulus_options;
@@ -335,6 +335,24 @@ ANNULUS_API int annulus_in_sphere(size_t count, const double* coordinates, annul
 ANNULUS_API int annulus_audit_cells(int dimension, size_t points, const double* coordinates, size_t cells,
                                     const int32_t* vertices, annulus_audit_result* result, size_t capacity,
                                     annulus_fault* faults, size_t* count);
+
+// ---- What the last call changed: lists beside annulus_changed, with the same rules of lists ------------------------
+
+// With options.report_changes: the cells that the last call that changed the mesh removed, as vertices, -1 for the
+// vertex at infinity. dimension + 1 numbers each, positively oriented as in annulus_cells. After one change no cell is
+// also in annulus_changed. For a call that makes several changes (annulus_insert, annulus_remove) the list may contain
+// a cell that did not exist before the call. If all points are, or were, in a plane or on a line: all finite cells
+// that there were, padded with -2. O(list). Errors: WRONG_SIZE; USAGE without that option.
+ANNULUS_API int annulus_gone(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
+// With the same option: the pairs of vertices that the last call that changed the mesh made neighbours, and those that
+// are neighbours no longer: the edges after the call without those before it, and the reverse, however many changes the
+// call makes. Two indices each, the smaller one first, ascending. Pairs with a vertex that was inserted are made, those
+// with one that was removed are broken. In 2D a flip breaks one pair and makes one, a T1 transition. The first of these
+// two functions after a change takes O(k log k) for k cells in both lists; then the pairs are kept, 8 bytes each, until
+// the next call that changes the mesh: O(list).
+// Errors: WRONG_SIZE, NO_MEMORY; USAGE without that option.
+ANNULUS_API int annulus_edges_made(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
+ANNULUS_API int annulus_edges_broken(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -39,6 +39,9 @@ static void check_null(void) {
     CHECK_STATUS(annulus_vertex_of_input(NULL, points, numbers, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_cells(NULL, 0, NULL, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_changed(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_gone(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_edges_made(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_edges_broken(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_audit(NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_strategy(NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK(count == 77 && answer == 77);
@@ -58,6 +61,9 @@ static void check_null(void) {
     CHECK_STATUS(annulus_voronoi(mesh, points, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_cells(mesh, 0, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_cells(mesh, 1000, NULL, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_gone(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_edges_made(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_edges_broken(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_audit(mesh, NULL), ANNULUS_NULL_POINTER);
     CHECK(annulus_message(mesh, NULL, 0) == strlen("result is NULL"));
     CHECK(annulus_message(mesh, text, 4) == strlen("result is NULL"));

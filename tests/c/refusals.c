@@ -91,6 +91,9 @@ static void check_sizes_and_names(void) {
     CHECK(count > points / 4 && numbers[0] == -77);
     CHECK_STATUS(annulus_cells(mesh, 0, numbers, NULL, &count), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_changed(mesh, 0, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_gone(mesh, 0, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_edges_made(mesh, 0, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_edges_broken(mesh, 0, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_USAGE);
     audit.size = sizeof audit;
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);

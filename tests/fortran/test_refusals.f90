@@ -60,6 +60,12 @@ contains
         call expect(stat == ANNULUS_NULL_POINTER, 'half a box')
         call mesh%changed(cells, stat=stat)
         call expect(stat == ANNULUS_USAGE, 'changed without report_changes')
+        call mesh%gone(cells, stat=stat)
+        call expect(stat == ANNULUS_USAGE, 'gone without report_changes')
+        call mesh%edges_made(cells, stat=stat)
+        call expect(stat == ANNULUS_USAGE, 'edges_made without report_changes')
+        call mesh%edges_broken(cells, stat=stat)
+        call expect(stat == ANNULUS_USAGE, 'edges_broken without report_changes')
 
         call none%move_all(x, stat=stat, errmsg=why)
         call expect(stat == ANNULUS_NULL_POINTER .and. why == 'the mesh has not been created', 'no mesh to move')

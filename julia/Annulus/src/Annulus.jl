@@ -27,7 +27,8 @@ export move!, recompute_tolerances!
 export affine_dimension, dimension, index_bound, is_vertex, strategy, vertex_count, vertex_of_input
 export displacements, points, tolerances
 export neighbour_counts, voronoi_cells, voronoi_facets, voronoi_gradient, voronoi_volumes
-export audit, cells, changed, convex_hull, find_cells, neighbour_lists, neighbours
+export audit, cells, convex_hull, find_cells, neighbour_lists, neighbours
+export changed, edges_broken, edges_made, gone
 export audit_cells, in_circle, in_sphere, orient_2d, orient_3d
 
 include("c.jl")

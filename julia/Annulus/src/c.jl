@@ -8,7 +8,7 @@ module C
 const library = "libannulus_c.so.0"
 
 # ANNULUS_INTERFACE of the header that this file was written for; `annulus_interface` returns the library's.
-const INTERFACE = 4
+const INTERFACE = 5
 
 # annulus_status
 const OK = 0
@@ -285,6 +285,21 @@ function annulus_audit_cells(dimension, points, coordinates, cells, vertices, re
                  (Cint, Csize_t, Ptr{Cdouble}, Csize_t, Ptr{Int32}, Ptr{AuditResult}, Csize_t, Ptr{Fault},
                   Ptr{Csize_t}),
                  dimension, points, coordinates, cells, vertices, result, capacity, faults, count)
+end
+
+function annulus_gone(mesh, capacity, vertices, count)
+    return ccall((:annulus_gone, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, count)
+end
+
+function annulus_edges_made(mesh, capacity, vertices, count)
+    return ccall((:annulus_edges_made, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, count)
+end
+
+function annulus_edges_broken(mesh, capacity, vertices, count)
+    return ccall((:annulus_edges_broken, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, count)
 end
 
 end

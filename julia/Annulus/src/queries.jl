@@ -96,6 +96,12 @@ vertex_of_input(mesh::MovingMesh) = numbers(mesh, C.annulus_vertex_of_input)
 convex_hull(mesh::MovingMesh) = numbers(mesh, C.annulus_convex_hull, dimension(mesh))
 "The cells that the last call created, a column each, 0 for the vertex at infinity; needs `report_changes=true`."
 changed(mesh::MovingMesh) = numbers(mesh, C.annulus_changed, dimension(mesh) + 1)
+"The cells that the last call removed, in the same form."
+gone(mesh::MovingMesh) = numbers(mesh, C.annulus_gone, dimension(mesh) + 1)
+"The pairs of vertices that the last call made neighbours, a column each, ascending; needs `report_changes=true`."
+edges_made(mesh::MovingMesh) = numbers(mesh, C.annulus_edges_made, 2)
+"The pairs of vertices that are neighbours no longer since the last call, in the same form."
+edges_broken(mesh::MovingMesh) = numbers(mesh, C.annulus_edges_broken, 2)
 "The vertices that an edge joins to `vertex`, ascending."
 neighbours(mesh::MovingMesh, vertex::Integer) =
     numbers(mesh, (mesh, capacity, list, count) -> C.annulus_neighbours(mesh, of_c(vertex), capacity, list, count))

@@ -120,6 +120,8 @@ end
     @test size(convex_hull(mesh), 2) == 4 && !(5 in convex_hull(mesh))
     move!(mesh, [5], [9.0; 2.0][:, :])
     @test size(changed(mesh), 1) == 3 && 5 in changed(mesh) && 0 in changed(mesh)
+    @test size(gone(mesh), 1) == 3 && 5 in gone(mesh)
+    @test edges_made(mesh) == [2 3]' && edges_broken(mesh) == [1 3; 5 5]
     line = MovingMesh([0.0 1 2; 0 1 2])
     @test affine_dimension(line) == 1
     @test all(count(==(-1), cells(line).vertices; dims=1) .== 1) && all(cells(line).neighbours .== 0)
@@ -150,7 +152,9 @@ end
         @test refusal(call).code == C.WRONG_SIZE
     end
     @test refusal(() -> voronoi_cells(mesh; lower=[0, 0])).code == C.NULL_POINTER
-    @test refusal(() -> changed(mesh)).code == C.USAGE
+    for list in (changed, gone, edges_made, edges_broken)
+        @test refusal(() -> list(mesh)).code == C.USAGE
+    end
     @test refusal(() -> MovingMesh(x; strategy="fastest")).code == C.USAGE
     @test refusal(() -> MovingMesh(zeros(1, 1))).code == C.USAGE
     @test refusal(() -> MovingMesh(x[:, [1, 2, 1]])).vertices == [1, 3]

@@ -3,6 +3,7 @@
 
 #include <annulus/annulus.h>
 #include <annulus/c/any_mesh.h>
+#include <annulus/c/changes_of_call.h>
 
 #include <array>
 #include <cfenv>
@@ -93,7 +94,7 @@ void require_count(std::size_t count, const char* of);
 /// The handle.
 struct annulus_mesh {
     std::unique_ptr<annulus::c::Any_mesh> mesh;
-    std::vector<annulus::Index> changed;  // cells made by the last call that changed the mesh
+    annulus::c::Changes_of_call changes;
     mutable annulus::c::Last_error error;
 };
 

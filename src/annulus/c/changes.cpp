@@ -13,23 +13,23 @@ using namespace annulus::c;
 namespace {
 
 void hand_over(annulus_mesh& m, Move_result& done, annulus_report* report) {
-    m.changed = std::move(done.changed);
-    write_report(report, done, m.mesh->dimension(), m.changed.size());
+    m.changes.assign(std::move(done.changed), std::move(done.gone));
+    write_report(report, done, m.mesh->dimension(), m.changes.came().size());
 }
 
-/// For calls that make several calls of Moving_mesh: after each of these, adds its report and its changed cells.
+/// For calls that make several calls of Moving_mesh: after each of these, adds its report and its lists of cells.
 void add(annulus_mesh& m, const Move_result& one, Move_result& all, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) ++*so_far;
-    m.changed.insert(m.changed.end(), one.changed.begin(), one.changed.end());
+    m.changes.add(one.changed, one.gone);
     all += one;
     all.changed.clear();  // the mesh has them
     all.gone.clear();
-    write_report(report, all, m.mesh->dimension(), m.changed.size());
+    write_report(report, all, m.mesh->dimension(), m.changes.came().size());
 }
 
 void begin_several(annulus_mesh& m, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) *so_far = 0;
-    m.changed.clear();
+    m.changes.clear();
     write_report(report, {}, m.mesh->dimension(), 0);
 }
 

@@ -42,6 +42,43 @@ void copy(const Index* from, std::size_t numbers, std::int32_t* to) {
     if (to != nullptr) std::copy_n(from, numbers, to);
 }
 
+void require_lists(const annulus_mesh& m) {
+    if (!m.mesh->options().report_changes) throw Refused(ANNULUS_USAGE, "the mesh was made without report_changes");
+}
+
+/// Writes the cells that the last call made or removed.
+template <class List>
+int listed_cells(const annulus_mesh* mesh, std::size_t capacity, std::int32_t* vertices, std::size_t* count,
+                 List list) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        require_lists(m);
+        const std::vector<Index>& all = (m.changes.*list)();
+        *count = all.size() / static_cast<std::size_t>(m.mesh->dimension() + 1);
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "cells");
+        require(vertices, capacity, "vertices");
+        copy(all.data(), all.size(), vertices);
+    });
+}
+
+/// Writes the edges that the last call made or broke.
+int listed_edges(const annulus_mesh* mesh, std::size_t capacity, std::int32_t* vertices, std::size_t* count,
+                 Vertex_pairs Edge_changes::*list) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        require_lists(m);
+        const Vertex_pairs& all = m.changes.edges(m.mesh->dimension()).*list;
+        *count = all.size();
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "edges");
+        require(vertices, capacity, "vertices");
+        if (vertices == nullptr) return;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            vertices[2 * k] = all[k].first;
+            vertices[2 * k + 1] = all[k].second;
+        }
+    });
+}
+
 }  // namespace
 
 size_t annulus_message(const annulus_mesh* mesh, char* buffer, size_t capacity) {
@@ -222,14 +259,16 @@ int annulus_find_cells(const annulus_mesh* mesh, size_t points, const double* co
 }
 
 int annulus_changed(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
-    return guarded(mesh, [&](const annulus_mesh& m) {
-        require(count, "count");
-        if (!m.mesh->options().report_changes) throw Refused(ANNULUS_USAGE, "the mesh was made without report_changes");
-        *count = m.changed.size() / static_cast<std::size_t>(m.mesh->dimension() + 1);
-        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "cells");
-        require(vertices, capacity, "vertices");
-        copy(m.changed.data(), m.changed.size(), vertices);
-    });
+    return listed_cells(mesh, capacity, vertices, count, &Changes_of_call::came);
+}
+int annulus_gone(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return listed_cells(mesh, capacity, vertices, count, &Changes_of_call::gone);
+}
+int annulus_edges_made(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return listed_edges(mesh, capacity, vertices, count, &Edge_changes::made);
+}
+int annulus_edges_broken(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return listed_edges(mesh, capacity, vertices, count, &Edge_changes::broken);
 }
 
 int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result) {
