@@ -115,8 +115,11 @@ TEMPLATE_TEST_CASE_SIG("C lists the cells and edges that went and came, dimensio
             REQUIRE(annulus_move_all(mesh, x.size() / d, x.data(), nullptr) == ANNULUS_OK);
             const State now(mesh, d);
             require_edges(mesh, before.edges, now.edges);
-            REQUIRE(finite_cells(numbers(mesh, annulus_gone, d + 1), d + 1) == without(before.cells, now.cells));
-            REQUIRE(finite_cells(numbers(mesh, annulus_changed, d + 1), d + 1) == without(now.cells, before.cells));
+            // A cell that was turned over is in both lists, with the same corners.
+            const auto gone = finite_cells(numbers(mesh, annulus_gone, d + 1), d + 1);
+            const auto came = finite_cells(numbers(mesh, annulus_changed, d + 1), d + 1);
+            REQUIRE(without(gone, came) == without(before.cells, now.cells));
+            REQUIRE(without(came, gone) == without(now.cells, before.cells));
             broken += without(before.edges, now.edges).size();
         }
         REQUIRE(broken > 20);
