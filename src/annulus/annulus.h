@@ -342,7 +342,8 @@ ANNULUS_API int annulus_audit_cells(int dimension, size_t points, const double* 
 // vertex at infinity. dimension + 1 numbers each, positively oriented as in annulus_cells. A cell that was turned over
 // is here and in annulus_changed, with its vertices in another order. For a call that makes several changes
 // (annulus_insert, annulus_remove) the list may contain a cell that did not exist before the call. If all points are,
-// or were, in a plane or on a line: all finite cells that there were, padded with -2. O(list). Errors: WRONG_SIZE; USAGE without that option.
+// or were, in a plane or on a line: all finite cells that there were, padded with -2. O(list).
+// Errors: WRONG_SIZE; USAGE without that option.
 ANNULUS_API int annulus_gone(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 // With the same option: the pairs of vertices that the last call that changed the mesh made neighbours, and those that
 // are neighbours no longer: the edges after the call without those before it, and the reverse, however many changes the
