@@ -19,6 +19,9 @@ class Kind:
 KINDS = [
     Kind("lloyd", "lloyd --points 300 --density x2 --iterations 30", shows=["The triangulation", "Convergence"]),
     Kind("lloyd-window", "lloyd --points 20000 --iterations 1", shows=["The triangulation"]),
+    Kind("lloyd-box", "lloyd --points 300 --box 2,0,0.5,1 --iterations 10 --voronoi",
+         shows=["The triangulation", "Convergence"]),
+    Kind("lloyd-box-3", "lloyd --points 100 --box 1,1,1 --iterations 5", shows=["The triangulation", "Convergence"]),
     Kind("nodt", "nodt --sphere --vertices 300 --iterations 10 --lock 10", shows=["The mesh", "Convergence"]),
     Kind("replay", "replay MOTION --strategy tolerances", shows=["The triangulation", "What a step costs"], sliders=1),
     Kind("compare-replay", "compare --strategies rebuild,auto -- replay MOTION", shows=["Strategies compared"],

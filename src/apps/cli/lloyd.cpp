@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/boxed_lloyd.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
 #include <apps/cli/lloyd_scene.h>
@@ -11,6 +12,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <string>
 
 namespace annulus::inline v1::cli {
 
@@ -21,9 +23,11 @@ struct Lloyd_call {
     Tracking_arguments tracking;
     Lloyd_arguments lloyd;
     Frame_arguments frames;
+    std::string box;
 };
 
 int run(const Lloyd_call& a, const std::string& command) {
+    if (!a.box.empty()) return run_boxed_lloyd({a.common, a.tracking, a.lloyd, a.frames, a.box}, command);
     const auto begin = Clock::now();
     Options options = options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
@@ -81,9 +85,11 @@ int run(const Lloyd_call& a, const std::string& command) {
 }  // namespace
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
-    auto* sub = app.add_subcommand("lloyd", "Lloyd iterations in 2D, with the triangulation kept right throughout");
+    auto* sub = app.add_subcommand(
+        "lloyd", "Lloyd iterations in 2D, or in a periodic box, with the triangulation kept right throughout");
     const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
+    add_lloyd_box(*sub, a->box);
     add_tracking(*sub, a->tracking);
     add_frames(*sub, a->frames);
     add_common(*sub, a->common, run_files);

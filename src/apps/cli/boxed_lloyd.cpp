@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/boxed_lloyd.h>
+
+#include <annulus/error.h>
+#include <apps/cli/boxed_mesh.h>
+#include <apps/cli/files.h>
+#include <apps/cli/frame_box.h>
+#include <apps/cli/mesh_3.h>
+#include <apps/cli/progress.h>
+#include <apps/cli/result_files.h>
+#include <apps/cli/stopwatch.h>
+#include <apps/cli/tracker.h>
+#include <apps/formats/formatted.h>
+#include <apps/formats/input_error.h>
+#include <apps/motion/generated_points.h>
+#include <apps/motion/periodic_lloyd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace annulus::inline v1::cli {
+
+namespace {
+
+/// Points, distinct as they are given, and how the file was interpreted.
+template <int d>
+struct Boxed_scene {
+    Box<d> box;
+    std::vector<Coordinates<d>> points{};
+    std::uint64_t merged = 0;
+    std::optional<Point_file<d>> file{};
+};
+
+/// Uniform in the box; the same for a seed on every platform.
+template <int d>
+std::vector<Coordinates<d>> uniform_in(const Box<d>& box, std::uint64_t n, std::uint64_t seed) {
+    Portable_random dice(seed);
+    std::vector<Coordinates<d>> points(static_cast<std::size_t>(n));
+    for (Coordinates<d>& p : points)
+        for (const Coordinates<d>& vector : box.vectors()) {
+            const double share = dice.unit();
+            for (std::size_t k = 0; k < d; ++k) p[k] += share * vector[k];
+        }
+    return points;
+}
+
+template <int d>
+Boxed_scene<d> boxed_scene(const Boxed_lloyd_call& a) {
+    Boxed_scene<d> scene{.box = box_of<d>(parse_box(a.box))};
+    if (a.lloyd.input.empty()) {
+        scene.points = uniform_in<d>(scene.box, a.lloyd.points, a.common.seed);
+        return scene;
+    }
+    scene.file = read_points<d>(
+        a.lloyd.input, {.ignore_z = a.lloyd.ignore_z, .format = a.lloyd.format, .box = {.replaced = true}});
+    scene.points = distinct_points(*scene.file, 1);
+    scene.merged = scene.file->points.size() - scene.points.size();
+    return scene;
+}
+
+/// The triangulation of the initial points; its errors name points of the file.
+template <int d>
+Boxed_mesh<d> boxed_mesh_of(const Boxed_scene<d>& scene, std::span<const std::uint64_t> id, const Options& options) {
+    try {
+        return Boxed_mesh<d>(id, scene.points, scene.box, options);
+    } catch (const Error& error) {
+        if (error.vertices().empty() || !scene.file) throw;
+        const Coordinates<d>& p = scene.points[static_cast<std::size_t>(error.vertices().back())];
+        const auto& all = scene.file->points;
+        const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), p) - all.begin());
+        const bool duplicate = error.code() == Error_code::duplicate_point;
+        throw scene.file->fault(place, error.code(),
+                                duplicate ? "the point is at the place of another in the periodic box" : error.what(),
+                                duplicate ? "points that differ" : "a point nearer to the box");
+    }
+}
+
+template <int d>
+Input_record boxed_input(const Boxed_scene<d>& scene) {
+    Input_record input;
+    if (scene.file) input = input_of(*scene.file);
+    input.box_from = "--box";
+    for (const auto& vector : scene.box.vectors()) input.box.emplace_back(vector.begin(), vector.end());
+    return input;
+}
+
+/// One iteration.
+template <int d>
+void boxed_step(Run_tracker<Boxed_mesh<d>>& tracker, std::span<const std::uint64_t> id, const Box<d>& box) {
+    const auto start = Clock::now();
+    const Periodic_mesh<d>& mesh = tracker.triangulation().mesh();
+    const std::vector<Coordinates<d>> offset = periodic_centroid_offsets<d>(mesh.audit_input());
+    std::vector<Coordinates<d>> target(mesh.points().begin(), mesh.points().end());
+    Displacement way;
+    for (std::size_t v = 0; v < target.size(); ++v) {
+        double square = 0;
+        for (std::size_t k = 0; k < d; ++k) {
+            target[v][k] += offset[v][k];
+            square += offset[v][k] * offset[v][k];
+        }
+        way.mean += std::sqrt(square) / static_cast<double>(target.size());
+        way.max = std::max(way.max, std::sqrt(square));
+    }
+    tracker.step([&](Boxed_mesh<d>& dt) { return dt.follow(id, target, box); }, since(start), way);
+}
+
+template <int d>
+int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::string& command) {
+    const auto begin = Clock::now();
+    const bool files = !a.common.output.empty();
+    const std::uint64_t iterations = a.lloyd.iterations;
+    const Boxed_scene<d> scene = boxed_scene<d>(a);
+    a.common.say_merged(a.lloyd.input, scene.merged);
+    if (scene.file) a.common.say_notes(scene.file->notes);
+    if (files) require_writable(a.common);
+    std::vector<std::uint64_t> id(scene.points.size());
+    std::iota(id.begin(), id.end(), std::uint64_t{0});
+    const double spacing = std::pow(scene.box.volume() / static_cast<double>(id.size()), 1.0 / d);
+    Run_tracker<Boxed_mesh<d>> tracker(
+        a.tracking.strategy, [&] { return boxed_mesh_of<d>(scene, id, options); }, options, spacing, iterations,
+        a.tracking.audit, files);
+    Run_page<Boxed_mesh<d>> page{.step = "Lloyd iteration"};
+    if (files) page.before = picture_of(tracker.triangulation(), "Before");
+    Frame_files<Boxed_mesh<d>> frames(a.common, a.frames, tracker);
+    if (a.frames.any()) frames.frame(0);
+    std::optional<Interruption_guard> guard;  // with --output, an interrupted run writes its results so far
+    if (files) guard.emplace();
+    {
+        Progress progress("lloyd", iterations, a.common.quiet);
+        for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
+            boxed_step<d>(tracker, id, scene.box);
+            if (a.frames.any()) frames.frame(i);
+            progress.show(i, formatted("%.4f spacings at most", tracker.record().steps.back().displacement_max));
+        }
+    }
+    tracker.finish(command, a.common.seed, since(begin));
+    tracker.input(boxed_input<d>(scene));
+    const Run_record& record = tracker.record();
+    if (files) {
+        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"));
+        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
+        page.figures = frame_figures(frames.records(), record, false);
+        page.frames = &frames;
+        write_run(a.common, tracker, std::move(page));
+    }
+    if (record.interrupted) {
+        say_interrupted(a.common, record.iterations, iterations);
+        return done;
+    }
+    if (!a.common.quiet) {
+        print_summary(tracker);
+        if (files) std::printf("written to     %s\n", a.common.output.c_str());
+    }
+    return record.audit.failed == 0 ? done : audit_failed;
+}
+
+/// Throws Error(usage) for what there is with open boundaries only.
+void require_open_options_absent(const Boxed_lloyd_call& a) {
+    const auto refuse = [](const char* what) { throw Error(Error_code::usage, what); };
+    if (a.lloyd.open) refuse("--open and --box exclude each other");
+    if ((a.tracking.strategy != "auto" && a.tracking.strategy != "rebuild") || a.tracking.tolerance != "certified")
+        refuse("in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified");
+    if (!a.lloyd.domain.empty() || a.lloyd.radius != 0)
+        refuse("with --box the domain is the periodic box: no --domain, no --radius");
+    if (a.lloyd.density != "one" || a.lloyd.invert || a.lloyd.dots != "equal")
+        refuse("in a periodic box the density is one: no other --density, no picture with --invert or --dots");
+    if (a.lloyd.points == 0 && a.lloyd.input.empty())
+        refuse("say how many points with --points N, or name a file with --input FILE");
+}
+
+}  // namespace
+
+void add_lloyd_box(CLI::App& app, std::string& box) {
+    app.add_option("--box", box,
+                   "Periodic box, 2D or 3D, in place of a domain and of that of the input: the lengths of its edges,\n"
+                   "Lx,Ly or Lx,Ly,Lz, or its vectors, 4 or 9 numbers, one vector after the other")
+        ->type_name("LIST");
+}
+
+int run_boxed_lloyd(const Boxed_lloyd_call& a, const std::string& command) {
+    require_open_options_absent(a);
+    const std::size_t numbers = parse_box(a.box).size();
+    if (numbers != 2 && numbers != 3 && numbers != 4 && numbers != 9)
+        throw Error(Error_code::usage,
+                    "--box has " + counted(numbers, "number") + ", and a box has 2 or 4 in 2D, 3 or 9 in 3D");
+    Options options = options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
+    return numbers == 2 || numbers == 4 ? run_boxed<2>(a, options, command) : run_boxed<3>(a, options, command);
+}
+
+}  // namespace annulus::inline v1::cli
