@@ -127,6 +127,19 @@ class BoxedLloyd(frames.FrameTest):
         moves = self.summary("out2")["moves"]
         self.assertEqual((moves["asked"], moves["rebuilt"]), (3600, 3600))
 
+    def test_points_may_be_close_together_or_far_from_the_box(self):
+        """Cells that are thinner than rounding; points of clusters over six decades; images a million boxes away."""
+        self.succeed("generate", "clusters", "--points", 200, "--dim", 3, "--output", "clusters.xyz")
+        for name, points, box in (("a.xyz", [(0.1, 0.1), (0.1 + 1e-14, 0.1), (0.7, 0.3)], "1,1"),
+                                  ("b.xyz", [(1e6 + 0.1, -5000.1), (0.7, 0.3), (7, 1)], "1,1"),
+                                  ("clusters.xyz", None, "1,1,1")):
+            if points:
+                self.xyz(name, points)
+            self.succeed("lloyd", "--input", name, "--box", box, "--iterations", 20, "--audit", 1, "--output", "out")
+            self.assertEqual(self.summary("out")["audit"], {"checked": 20, "failed": 0})
+            ways = [float(way) for way in self.column("displacement_max")]
+            self.assertLess(ways[-1], ways[0])
+
     def test_files_and_page(self):
         done = self.succeed("lloyd", "--points", 50, "--box", "2,0,0.5,1", "--iterations", 4, "--output", "out")
         self.assertIn("box            --box: 2 0, 0.5 1\n", done.stdout)
