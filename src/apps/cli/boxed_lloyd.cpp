@@ -56,8 +56,8 @@ Boxed_scene<d> boxed_scene(const Boxed_lloyd_call& a) {
         scene.points = uniform_in<d>(scene.box, a.lloyd.points, a.common.seed);
         return scene;
     }
-    scene.file = read_points<d>(
-        a.lloyd.input, {.ignore_z = a.lloyd.ignore_z, .format = a.lloyd.format, .box = {.replaced = true}});
+    scene.file = read_points<d>(a.lloyd.input,
+                                {.ignore_z = a.lloyd.ignore_z, .format = a.lloyd.format, .box = {.replaced = true}});
     scene.points = distinct_points(*scene.file, 1);
     scene.merged = scene.file->points.size() - scene.points.size();
     return scene;

@@ -106,8 +106,7 @@ class Periodic_centroids {
     static constexpr auto facet_of(std::size_t i) {
         if constexpr (d == 2) return std::array<std::size_t, 2>{(i + 1) % 3, (i + 2) % 3};
         else {
-            constexpr std::array<std::array<std::size_t, 3>, 4> corners{
-                {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+            constexpr std::array<std::array<std::size_t, 3>, 4> corners{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
             return corners[i];
         }
     }
