@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of find.html: ENTRIES are [address, page, heading, text]. The heading counts ten times as much as the text.
+// Of find.html: ENTRIES are [address, page, heading, text]. The heading counts ten times as much as the text, and more
+// where it is the name that was typed, or has all words in this order.
 const words = document.getElementById('find-words');
 const found = document.getElementById('find-found');
 const count = document.getElementById('find-count');
@@ -11,9 +12,11 @@ function score(entry, wanted) {
   for (const word of wanted) {
     const inHeading = entry[0].includes(word), inText = entry[1].split(word).length - 1;
     if (!inHeading && inText === 0) return 0;
-    sum += (inHeading ? 10 : 0) + Math.min(inText, 5) + (entry[0].split(/::|[.]/).pop() === word ? 20 : 0);
+    sum += (inHeading ? 10 : 0) + Math.min(inText, 5);
   }
-  return sum;
+  const asTyped = wanted.length === 1 ? entry[0].split(/::|[.]/).pop() === wanted[0]
+                                      : entry[0].includes(wanted.join(' '));
+  return sum + (asTyped ? 20 : 0);
 }
 
 function excerpt(text, word) {
