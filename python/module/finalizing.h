@@ -3,7 +3,8 @@
 
 #include <Python.h>
 
-#include <cxxabi.h>
+#include <exception>
+#include <type_traits>
 
 // Threads and the end of the interpreter. While Python ends it gives the GIL to no other thread: a daemon thread that
 // requests it is terminated at that point (pthread_exit, which unwinds its stack) or, from Python 3.14 on, sleeps for
@@ -14,18 +15,36 @@ namespace annulus::python {
 /// Sleeps until the process ends.
 [[noreturn]] void sleep_for_good() noexcept;
 
+/// Sleeps for good where the stack is unwound past it by pthread_exit. A handler could not do that: in one that has
+/// caught an exception of C++ another kind cannot be caught (libstdc++ terminates), and errors are translated in such
+/// handlers. Exceptions of C++ pass.
+class Sleeps_when_terminated {
+  public:
+    Sleeps_when_terminated() = default;
+    ~Sleeps_when_terminated() {
+        if (!returned_ && std::uncaught_exceptions() == uncaught_) sleep_for_good();
+    }
+    Sleeps_when_terminated(const Sleeps_when_terminated&) = delete;
+    Sleeps_when_terminated& operator=(const Sleeps_when_terminated&) = delete;
+    void returned() noexcept { returned_ = true; }
+
+  private:
+    int uncaught_ = std::uncaught_exceptions();
+    bool returned_ = false;
+};
+
 /// Makes a call that may wait for the GIL. The call must not hold objects that have to be destroyed.
 template <class Call>
 auto may_wait_for_gil(const Call& call) -> decltype(call()) {
-#ifdef __GLIBCXX__
-    try {
-        return call();
-    } catch (const abi::__forced_unwind&) {
-        sleep_for_good();
+    Sleeps_when_terminated guard;
+    if constexpr (std::is_void_v<decltype(call())>) {
+        call();
+        guard.returned();
+    } else {
+        auto result = call();
+        guard.returned();
+        return result;
     }
-#else
-    return call();
-#endif
 }
 
 /// Releases the GIL as long as this object exists. Precondition of the constructor: this thread holds the GIL.
