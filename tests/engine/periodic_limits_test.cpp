@@ -115,7 +115,7 @@ TEST_CASE("Periodic moves cost no more than their budget, and a build at most", 
     expect_budget_kept<3>(5, 8);
 }
 
-TEST_CASE("A box whose basis is more than eight old vectors away is built anew", "[engine][periodic]") {
+TEST_CASE("A box whose basis is more than eight old vectors away leads to a rebuild", "[engine][periodic]") {
     // In the old basis the first vector is about (k, 1), and the second (-1, 0), which has determinant 1.
     const auto moved = [](double k) {
         const Box<2> from({{{0.15, 0}, {0, 1}}}), to({{{0.15 * k, 1.18}, {-0.18, 0.19}}});

@@ -23,7 +23,7 @@ class Boxed_mesh {
     /// Periodic_mesh throws.
     Boxed_mesh(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box,
                const Options& options);
-    /// The next frame: other points, which are built anew, or other positions of the same, in the same box or another.
+    /// The next frame: other points, for a new mesh, or other positions of the same, in the same box or another.
     /// Throws what Periodic_mesh throws, and then is as it was.
     Move_result follow(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box);
 
