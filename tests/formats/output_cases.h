@@ -21,9 +21,13 @@ namespace fs = std::filesystem;
 /// Earlier results have names of one letter.
 inline bool is_result(std::string_view name) { return name.size() == 1; }
 
-inline std::string refusal(const fs::path& path, bool may_hold_files = false) {
+// What a directory may hold.
+inline bool anything(const fs::path&) { return true; }
+inline bool nothing(const fs::path&) { return false; }
+
+inline std::string refusal(const fs::path& path, Output_directory::Accepted accepted = nothing) {
     try {
-        Output_directory out(path, is_result, may_hold_files);
+        Output_directory out(path, is_result, accepted);
     } catch (const Error& error) {
         CHECK(error.code() == Error_code::bad_input);
         return error.what();

@@ -26,7 +26,7 @@ TEST_CASE("nothing is to be seen before the commit, everything after it", "[io][
     const Temporary_directory directory;
     const auto path = directory.path() / "new" / "deep" / "";  // a trailing slash, too
     {
-        Output_directory out(path, is_result, false);
+        Output_directory out(path, is_result, nothing);
         out.write("a.json", "first");
         out.write("b.csv", std::string("x\0y\n", 4));
         CHECK(!fs::exists(path));
@@ -47,7 +47,7 @@ TEST_CASE("nothing is to be seen before the commit, everything after it", "[io][
 TEST_CASE("without a commit nothing is left, not even the directories", "[io][output]") {
     const Temporary_directory directory;
     try {
-        Output_directory out(directory.path() / "new" / "deep", is_result, false);
+        Output_directory out(directory.path() / "new" / "deep", is_result, nothing);
         out.write("a", "content");
         throw std::runtime_error("the run fails midway");
     } catch (const std::runtime_error&) {
@@ -61,7 +61,7 @@ TEST_CASE("runs that begin and end below the same missing directory do not distu
     const auto begin_and_end = [&](const char* name, std::string& said) {
         for (int k = 0; k < repeats(2000) && said.empty(); ++k) {
             try {
-                const Output_directory out(parent / name, is_result, false);
+                const Output_directory out(parent / name, is_result, nothing);
             } catch (const std::exception& error) {
                 said = error.what();
             }
@@ -83,7 +83,7 @@ TEST_CASE("what is written before the commit is in a directory that is new, hidd
     const Temporary_directory directory;
     std::vector<fs::path> names;
     for (int i = 0; i < 2; ++i) {
-        Output_directory out(directory.path() / "out", is_result, false);
+        Output_directory out(directory.path() / "out", is_result, nothing);
         out.write("a", "new");
         for (const auto& entry : fs::directory_iterator(directory.path())) {
             names.push_back(entry.path().filename());
@@ -105,13 +105,13 @@ TEST_CASE("earlier results are replaced as a whole, and stay without a commit", 
         "holds other files; expected a new or empty directory, or one with results of annulus (or --force)"));
     const ino_t old = identity(path);
     {
-        Output_directory out(path, is_result, true);
+        Output_directory out(path, is_result, anything);
         out.write("a", "new");
     }
     CHECK(identity(path) == old);
     CHECK(content_of(path / "a") == "old");
     {
-        Output_directory out(path, is_result, true);
+        Output_directory out(path, is_result, anything);
         out.write("a", "new");
         out.commit();
     }
@@ -123,13 +123,33 @@ TEST_CASE("earlier results are replaced as a whole, and stay without a commit", 
     CHECK(fs::status(path).permissions() == fs::perms::owner_all);
 }
 
+TEST_CASE("whether results are there is decided after something was found there", "[io][output]") {
+    static std::vector<std::size_t> found;
+    found.clear();
+    const auto accepted = [](const fs::path& path) {
+        found.push_back(entries(path));
+        return true;
+    };
+    const Temporary_directory directory;
+    const auto path = directory.path() / "out";
+    CHECK(refusal(path, accepted) == "");  // it is not there: another run may put its results there right after this
+    fs::create_directory(path);
+    CHECK(refusal(path, accepted) == "");
+    fs::create_directory(path / ".annulus-killed");
+    CHECK(refusal(path, accepted) == "");
+    CHECK(found.empty());
+    for (const char* name : {"a", "b"}) directory.file(std::string("out/") + name, "old");
+    CHECK(refusal(path, accepted) == "");
+    CHECK(found == std::vector<std::size_t>{3});
+}
+
 TEST_CASE("other files stay, and stale results do not", "[io][output]") {
     const Temporary_directory directory;
     directory.file("notes", "mine");
     directory.file("a", "old");
     directory.file("b", "old");
     const ino_t old = identity(directory.path());
-    Output_directory out(directory.path(), is_result, true);
+    Output_directory out(directory.path(), is_result, anything);
     out.write("a", "new");
     out.write("c", "new");
     CHECK(content_of(directory.path() / "a") == "old");
@@ -146,14 +166,14 @@ TEST_CASE("what goes last is there until all that replaces it is", "[io][output]
     directory.file("a", "old");
     directory.file("j", "what a and b can be made from");
     {
-        Output_directory out(directory.path(), is_result, true);
+        Output_directory out(directory.path(), is_result, anything);
         out.write("a", "new");
         (void)out.path_of("b");  // it is never written: putting it in its place fails
         out.goes_last("j");
         CHECK_THROWS_AS(out.commit(), std::system_error);
     }
     CHECK(fs::exists(directory.path() / "j"));
-    Output_directory out(directory.path(), is_result, true);
+    Output_directory out(directory.path(), is_result, anything);
     out.write("a", "new");
     out.goes_last("j");
     out.commit();
@@ -166,7 +186,7 @@ TEST_CASE("the working directory is not replaced under the feet of a shell", "[i
     fs::current_path(directory.path());
     const ino_t old = identity(".");
     directory.file("a", "old");
-    Output_directory out(".", is_result, true);
+    Output_directory out(".", is_result, anything);
     out.write("b", "new");
     out.commit();
     CHECK(identity(directory.path()) == old);
@@ -191,8 +211,8 @@ TEST_CASE("what a run that was killed has left in a directory does not make it a
 TEST_CASE("a directory that another run has made meanwhile is replaced if all in it are results", "[io][output]") {
     const Temporary_directory directory;
     const fs::path target = directory.path() / "new" / "out";
-    Output_directory out(target, is_result, false);
-    Output_directory other(target, is_result, false);
+    Output_directory out(target, is_result, nothing);
+    Output_directory other(target, is_result, nothing);
     for (Output_directory* o : {&out, &other}) o->write("a", o == &out ? "first" : "second");
     out.commit();
     other.commit();
@@ -202,7 +222,7 @@ TEST_CASE("a directory that another run has made meanwhile is replaced if all in
 
 TEST_CASE("a directory that has come meanwhile is not touched", "[io][output]") {
     const Temporary_directory directory;
-    Output_directory out(directory.path() / "out", is_result, false);
+    Output_directory out(directory.path() / "out", is_result, nothing);
     out.write("a", "new");
     fs::create_directory(directory.path() / "out");
     directory.file("out/mine", "mine");
@@ -216,7 +236,7 @@ TEST_CASE("where the disk ends nothing is left of what was begun", "[io][output]
     REQUIRE(::getrlimit(RLIMIT_FSIZE, &old) == 0);
     const auto ignored = std::signal(SIGXFSZ, SIG_IGN);
     {
-        Output_directory out(directory.path() / "out", is_result, false);
+        Output_directory out(directory.path() / "out", is_result, nothing);
         out.write("a", std::string(1000, 'a'));
         const rlimit small{5000, old.rlim_max};
         REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
@@ -237,12 +257,12 @@ TEST_CASE("where the disk ends nothing is left of what was begun", "[io][output]
 TEST_CASE("files written bit by bit elsewhere are taken over", "[io][output]") {
     const Temporary_directory directory;
     const fs::path at = directory.path() / "out";
-    Output_directory scratch(at, is_result, false);
+    Output_directory scratch(at, is_result, nothing);
     { std::ofstream(scratch.path_of("a")) << "bit by bit"; }
     scratch.write("b", "at once");
     CHECK_THROWS_AS((void)scratch.path_of("b"), Error);
     CHECK_THROWS_AS((void)scratch.path_of("../c"), Error);
-    Output_directory out(at, is_result, false);
+    Output_directory out(at, is_result, nothing);
     out.write("c", "own");
     out.take(scratch);
     CHECK_THROWS_AS(out.write("a", "again"), Error);
@@ -252,8 +272,8 @@ TEST_CASE("files written bit by bit elsewhere are taken over", "[io][output]") {
     CHECK(content_of(at / "a") == "bit by bit");
     CHECK(content_of(at / "b") == "at once");
     // Taking over a file where one of that name exists is refused, and nothing is lost on either side.
-    Output_directory first(directory.path() / "other", is_result, false),
-        second(directory.path() / "other", is_result, false);
+    Output_directory first(directory.path() / "other", is_result, nothing),
+        second(directory.path() / "other", is_result, nothing);
     first.write("a", "first");
     second.write("a", "second");
     CHECK_THROWS_AS(first.take(second), Error);

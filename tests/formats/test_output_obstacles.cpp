@@ -28,7 +28,7 @@ TEST_CASE("a directory in the way of a file is an error before anything is repla
     directory.file("a", "old");
     fs::create_directory(directory.path() / "c");
     {
-        Output_directory out(directory.path(), is_result, true);
+        Output_directory out(directory.path(), is_result, anything);
         out.write("a", "new");
         out.write("c", "new");
         CHECK_THROWS_WITH(out.commit(),
@@ -44,7 +44,7 @@ TEST_CASE("links: one to a directory is followed and stays, one among the result
     fs::create_directory_symlink("real", directory.path() / "link");
     const auto target = directory.file("target", "old");
     fs::create_symlink(target, directory.path() / "real" / "a");
-    Output_directory out(directory.path() / "link", is_result, true);
+    Output_directory out(directory.path() / "link", is_result, anything);
     out.write("a", "new");
     out.commit();
     CHECK(fs::is_symlink(directory.path() / "link"));
@@ -59,10 +59,10 @@ TEST_CASE("paths and names that cannot be are refused", "[io][output]") {
     fs::create_symlink("nowhere", directory.path() / "dangling");
     for (const fs::path& path :
          {file, file / "below" / "deep", directory.path() / "dangling", fs::path(), directory.path() / "new" / ".."})
-        CHECK(refusal(path, true) != "");
+        CHECK(refusal(path, anything) != "");
     CHECK(directory.entries() == 2);
     CHECK(content_of(file) == "content");
-    Output_directory out(directory.path() / "out", is_result, false);
+    Output_directory out(directory.path() / "out", is_result, nothing);
     for (const char* name : {"", ".", "..", "../a", "a/b", "/a"}) CHECK_THROWS_AS(out.write(name, "x"), Error);
     try {
         out.write(std::string(300, 'a'), "x");
@@ -126,10 +126,10 @@ TEST_CASE("a directory with a pipe in the place of a result stays as it is", "[i
     fs::create_directory(path);
     const auto pipe = path / "a";  // named as a result is
     REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-    CHECK(refusal(path, true).starts_with(pipe.string() + ": is a pipe"));
+    CHECK(refusal(path, anything).starts_with(pipe.string() + ": is a pipe"));
     fs::rename(pipe, path / "long-name");
     {
-        Output_directory out(path, is_result, true);
+        Output_directory out(path, is_result, anything);
         out.write("long-name", "mine");
         CHECK_THROWS_AS(out.commit(), Error);
     }

@@ -46,6 +46,8 @@ bool holds_results(const std::filesystem::path& directory) {
     });
 }
 
+bool holds_anything(const std::filesystem::path&) { return true; }
+
 std::string directory_of(const Common_arguments& a, bool interrupted) {
     return interrupted ? partial(a.output) : a.output;
 }
@@ -66,7 +68,7 @@ bool is_result(std::string_view name) {
 }
 
 Result_files::Result_files(const Common_arguments& a, Output_directory::Replaced replaced, bool interrupted)
-    : out_(directory_of(a, interrupted), replaced, a.force || holds_results(directory_of(a, interrupted))) {}
+    : out_(directory_of(a, interrupted), replaced, a.force ? holds_anything : holds_results) {}
 
 void require_writable(const Common_arguments& arguments, Output_directory::Replaced replaced) {
     Result_files(arguments, replaced).write("probe", "");

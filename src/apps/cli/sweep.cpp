@@ -195,7 +195,7 @@ int run_first(const Sweep_call& a, Ranks& ranks) {
     coordinator.rethrow();
     {
         const Interruption_guard guard;
-        Output_directory out(a.common.output, is_sweep_file, true);
+        Output_directory out(a.common.output, is_sweep_file, [](const std::filesystem::path&) { return true; });
         out.goes_last(journal_name);
         write_sweep(spec, text.text, place.journal(), coordinator.entries(), coordinator.hardest(), out);
         out.commit();

@@ -92,7 +92,7 @@ bool is_mount_point(const fs::path& path) {
 
 }  // namespace
 
-Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_hold_files)
+Output_directory::Output_directory(fs::path path, Replaced replaced, Accepted accepted)
     : path_(std::move(path)), replaced_(replaced) {
     if (path_.empty()) refuse("''", "cannot be the output directory");
     if (!path_.has_filename()) path_ = path_.parent_path();  // a trailing slash made the last component empty
@@ -101,7 +101,7 @@ Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_ho
     if (code && code != std::errc::no_such_file_or_directory && code != std::errc::not_a_directory)
         fail(path_, "cannot be examined", code);
     try {
-        if (exists_) examine_contents(may_hold_files);
+        if (exists_) examine_contents(accepted);
         else make_parents();
         make_room_for_content();
     } catch (...) {
@@ -112,20 +112,22 @@ Output_directory::Output_directory(fs::path path, Replaced replaced, bool may_ho
 
 Output_directory::~Output_directory() { clean_up(); }
 
-void Output_directory::examine_contents(bool may_hold_files) {
+void Output_directory::examine_contents(Accepted accepted) {
     std::error_code code;
     if (!fs::is_directory(path_, code)) refuse(path_, "is not a directory");
     const fs::path target = fs::canonical(path_, code);  // a link to a directory stays a link
     if (code) fail(path_, "cannot be examined", code);
     fs::directory_iterator entry(target, code);
     if (code) fail(path_, "cannot be examined", code);
+    bool may_hold_files = false;
     for (; entry != fs::directory_iterator(); entry.increment(code)) {
         const std::string name = entry->path().filename().string();
         if (is_left_over(entry->path())) continue;
-        if (replaced_(name) && may_hold_files) require_replaceable(path_ / name);
+        may_hold_files = may_hold_files || accepted(path_);
         if (!may_hold_files)
             refuse(path_,
                    "holds other files; expected a new or empty directory, or one with results of annulus (or --force)");
+        if (replaced_(name)) require_replaceable(path_ / name);
         one_by_one_ = one_by_one_ || !replaced_(name) || entry->is_directory(code);
     }
     if (code) fail(path_, "cannot be examined", code);

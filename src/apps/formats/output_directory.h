@@ -23,8 +23,12 @@ class Output_directory {
     /// Names of files of earlier results, which a commit replaces, or removes where it has no file of that name.
     using Replaced = bool (*)(std::string_view name);
 
-    /// Makes missing parents. Throws when the directory exists and is not empty, unless it `may_hold_files`.
-    Output_directory(std::filesystem::path path, Replaced replaced, bool may_hold_files);
+    /// Whether a directory that is not empty may be written to. It is called after a file was found there, so that a
+    /// run that puts its results there meanwhile is not mistaken for another program.
+    using Accepted = bool (*)(const std::filesystem::path& directory);
+
+    /// Makes missing parents. Throws when the directory exists and is neither empty nor accepted.
+    Output_directory(std::filesystem::path path, Replaced replaced, Accepted accepted);
     /// Without a commit nothing is left, parents included.
     ~Output_directory();
     Output_directory(const Output_directory&) = delete;
@@ -50,7 +54,7 @@ class Output_directory {
 
   private:
     [[nodiscard]] std::filesystem::path new_name(std::string_view name) const;
-    void examine_contents(bool may_hold_files);
+    void examine_contents(Accepted accepted);
     void make_parents();
     void make_room_for_content();
     [[nodiscard]] bool exchange();
