@@ -89,6 +89,7 @@ if(TARGET annulus-python)
     annulus_package(python python3-annulus python "Delaunay triangulations of moving points, Python module"
         "This package has the module annulus, whose MovingDelaunay has the attributes of\nscipy.spatial.Delaunay."
         "python3 (>= 3.${annulus_python_minor}), python3 (<< 3.${annulus_python_next}), python3-numpy")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib")
 endif()
 
 # ---- What Debian requires beside the files: a copyright and a changelog ------------------------------

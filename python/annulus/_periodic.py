@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments, _core, _outputs
 from ._error import Error, OpenBoundariesWarning
+from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
@@ -28,7 +29,7 @@ class NotAvailableError(Error, NotImplementedError, AttributeError):
         super().__init__(what, code, vertices)
 
 
-class PeriodicDelaunay:
+class PeriodicDelaunay(Plots):
     """The Delaunay triangulation of points in a periodic box: ``MovingDelaunay(points, box=box)`` makes one.
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with

@@ -4,6 +4,7 @@ never the binding's list of signatures."""
 
 import decimal
 import fractions
+import importlib.util
 import inspect
 import typing
 
@@ -74,7 +75,10 @@ RIGHT = {
 PLAIN = {"Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
          "MoveResult", "MoveStatistics", "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "Voronoi",
          "VoronoiPolytopes"}
-
+if importlib.util.find_spec("matplotlib"):
+    RIGHT["plot"] = (lambda **named: annulus.MovingDelaunay(X[:5]).plot(**named), {"color_by": "neighbors"})
+else:
+    PLAIN |= {"plot"}
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
 # a name of a file is said in full.
