@@ -259,6 +259,7 @@ constexpr Kind kinds[] = {
     {".csv", any_order},                      // X
     {".txt", motion<Absent_frames::skip>},    // Y
     {".ppm", picture},                        // Z
+    {".jpg", picture},                        // [
 };
 constexpr unsigned packed_bytes = 15;
 
@@ -280,8 +281,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const Input_error& error) {
         check_error(error, file, content.size());
     }
-    // Deflate packs a thousand bytes into one at the best, or eight thousand pixels of a bit each.
-    const bool deflated = which == packed_bytes || std::string_view(kind.extension) == ".png";
+    // Deflate packs a thousand bytes into one at the best, or eight thousand pixels of a bit each; JPEG 512 pixels.
+    const std::string_view extension = kind.extension;
+    const bool deflated = which == packed_bytes || extension == ".png" || extension == ".jpg";
     const std::size_t most = (std::size_t{1} << 20) + (deflated ? 100'000 : 200) * size;
     if (Memory::peak > most) {
         std::cerr << "// " << Memory::peak << " bytes of memory for " << size << " bytes of input\n";

@@ -10,6 +10,7 @@
   cgal,
   cli11,
   gmp,
+  libjpeg,
   libpng,
   mpfr,
   nlohmann_json,
@@ -35,6 +36,7 @@ stdenv.mkDerivation {
     cgal
     cli11
     gmp
+    libjpeg
     libpng
     mpfr
     nlohmann_json

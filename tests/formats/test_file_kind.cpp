@@ -44,7 +44,7 @@ std::string widened(const std::string& text, std::size_t width, bool first) {
 /// Reads a file with the reader of its extension.
 void read_any(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
-    if (extension == ".png" || extension == ".pgm") (void)read_gray_image(file);
+    if (extension == ".png" || extension == ".jpg" || extension == ".pgm") (void)read_gray_image(file);
     else if (extension == ".obj" || extension == ".stl") (void)read_surface(file);
     else if (extension == ".inr") (void)read_image(file);
     else if (extension == ".dump" || extension == ".csv") {
@@ -54,7 +54,7 @@ void read_any(const std::filesystem::path& file) {
 }
 
 const std::vector<std::string> readers{"a.xyz", "a.csv", "a.dump", "a.off", "a.ply", "a.mesh",
-                                       "a.obj", "a.stl", "a.png",  "a.pgm", "a.inr"};
+                                       "a.obj", "a.stl", "a.png",  "a.jpg", "a.pgm", "a.inr"};
 
 }  // namespace
 

@@ -127,7 +127,7 @@ TEST_CASE("PGM that is none is refused where it goes wrong", "[formats][image]")
     refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\4\5", 4, "5 bytes");
     refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\12", 4, "pixel 4 is 10");
     refuse("a.pgm", "P5\n8000 8000\n65535\n\1\2", 4, "2 bytes");
-    refuse("a.jpg", "P2 1 1 9 0", 0, "extension");
+    refuse("a.gif", "P2 1 1 9 0", 0, "extension");
 }
 
 TEST_CASE("grey PNG keeps its values", "[formats][image]") {

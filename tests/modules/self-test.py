@@ -83,6 +83,7 @@ class CheckModules(unittest.TestCase):
         self.rejects("src/annulus/measure/x.cpp", SPDX + "#include <nlohmann/json.hpp>\n", 2)
         self.rejects("src/annulus/x.cpp", SPDX + "#include <png.h>\n", 2)
         self.rejects("src/annulus/c/x.cpp", SPDX + "#include <zlib.h>\n", 2)
+        self.rejects("src/annulus/x.cpp", SPDX + "#include <jpeglib.h>\n", 2)
 
     def test_namespace_without_a_version(self):
         self.rejects("src/annulus/predicate/x.cpp", SPDX + "\nnamespace annulus {\n}\n", 3)

@@ -59,6 +59,7 @@ class Kinds(ToolTest):
                               ("a.obj", ["nodt", "-n", "50", "--surface"]),
                               ("a.inr", ["nodt", "-n", "50", "--surface"]),
                               ("a.png", ["lloyd", "-n", "50", "--density"]),
+                              ("a.jpg", ["lloyd", "-n", "50", "--density"]),
                               ("a.pgm", ["lloyd", "-n", "50", "--density"]),
                               ("a.ppm", ["lloyd", "-n", "50", "--density"]),
                               ("c.xyz", ["lloyd", "-n", "50", "--domain"]), ("a.toml", ["sweep", "--output", "out"])):

@@ -6,12 +6,14 @@ import math
 import struct
 import xml.etree.ElementTree as ElementTree
 import zlib
+from pathlib import Path
 
 import tool
 from tool import ToolTest
 
 SVG = "{http://www.w3.org/2000/svg}"
 WIDTH, HEIGHT = 90, 60
+CORPUS = Path(__file__).resolve().parents[2] / "fuzz/corpus/readers"
 
 
 def tone(i, j):
@@ -67,6 +69,16 @@ class Stipples(ToolTest):
             self.assertEqual(self.stipple(name=name)[0], text)
         self.assertNotEqual(self.stipple("--seed", "2")[0], text)
 
+    def test_jpeg(self):
+        """Those of the fuzz targets, without their first letter: 9 by 5 pixels, and 24 by 16 that Exif turns."""
+        for name, size in (("jpeg-gray", "9 5"), ("jpeg-turned", "16 24")):
+            (self.here / "a.jpg").write_bytes((CORPUS / name).read_bytes()[1:])
+            self.succeed("lloyd", "--density", "a.jpg", "--points", "30", "--iterations", "3", "--output", "out",
+                         "--quiet")
+            root = ElementTree.fromstring((self.here / "out" / "stipples.svg").read_text(encoding="ascii"))
+            self.assertEqual(root.get("viewBox"), f"0 0 {size}")
+            self.assertEqual(len(list(root.iter(SVG + "circle"))), 30)
+
     def test_inverted(self):
         text, dots = self.stipple("--invert")
         self.assertLess(sum(y > 50 for _, y, _ in dots), 4)
@@ -96,12 +108,13 @@ class Stipples(ToolTest):
         (self.here / "short.png").write_bytes((self.here / "a.png").read_bytes()[:80])
         (self.here / "vast.pgm").write_bytes(b"P5 60000 60000 255\n")
         (self.here / "short.ppm").write_bytes((self.here / "a.ppm").read_bytes()[:80])
-        for name in ("missing.png", "white.pgm", "short.png", "short.ppm", "vast.pgm"):
+        (self.here / "short.jpg").write_bytes((CORPUS / "jpeg-gray").read_bytes()[1:-20])
+        for name in ("missing.png", "white.pgm", "short.png", "short.ppm", "short.jpg", "vast.pgm"):
             with self.subTest(name=name):
                 self.assertIn(name, self.refuse(3, "lloyd", "--points", "50", "--density", name, "--output", "none"))
         for name in ("a.gif", "a.pnm"):
             with self.subTest(name=name):
-                self.assertIn("no picture (.png, .pgm, .ppm)",
+                self.assertIn("no picture (.png, .jpg, .pgm, .ppm)",
                               self.refuse(2, "lloyd", "--points", "50", "--density", name))
         self.assertFalse((self.here / "none").exists())
 

@@ -32,15 +32,15 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
     app.add_flag("--ignore-z", a.ignore_z, "Drop the z coordinate of the input")->needs(input);
     add_open(app, a.open);
     app.add_option("--density", a.density,
-                   "Density of the centroids that points move to, or a picture, .png, .pgm or .ppm, which\n"
-                   "is stippled: dense where it is dark")
+                   "Density of the centroids that points move to, or a picture, .png, .jpg, .pgm or\n"
+                   ".ppm, which is stippled: dense where it is dark")
         ->type_name("FILE:{one,x2+y2,x2,sin2}")
         ->check([](const std::string& word) {
             const bool known = std::any_of(std::begin(all_densities), std::end(all_densities),
                                            [&](Density d) { return name_of(d) == word; });
             return known || is_gray_image(word)
                        ? std::string()
-                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .pgm, .ppm)";
+                       : "'" + word + "' is none of one, x2+y2, x2, sin2, and no picture (.png, .jpg, .pgm, .ppm)";
         })
         ->capture_default_str();
     app.add_flag("--invert", a.invert, "For a picture: dense where it is bright");
@@ -119,9 +119,9 @@ void require_rings_to_be_few(Density density, const Domain_2& domain) {
 std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
     if (!is_gray_image(a.density)) {
         if (a.invert)
-            throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png, FILE.pgm or FILE.ppm");
+            throw Error(Error_code::usage, "--invert is for a picture: --density FILE.png, .jpg, .pgm or .ppm");
         if (a.dots != "equal")
-            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png, FILE.pgm or FILE.ppm");
+            throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png, .jpg, .pgm or .ppm");
         return {};
     }
     if (!a.domain.empty() || a.radius != 0)

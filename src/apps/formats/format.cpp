@@ -29,6 +29,7 @@ constexpr std::array all_names{
     Names{Format::pgm, "pgm", {".pgm"}},
     Names{Format::ppm, "ppm", {".ppm"}},
     Names{Format::png, "png", {".png"}},
+    Names{Format::jpeg, "jpeg", {".jpg", ".jpeg"}},
 };
 
 const Names& names(Format format) { return all_names[static_cast<std::size_t>(format)]; }

@@ -16,7 +16,8 @@ bool is_gray_image(const std::filesystem::path& file) {
 Gray_image read_gray_image(const std::filesystem::path& file) {
     const Format format = format_of(file, picture_formats);
     const Source source = load_file(file, most_of_a_pipe);
-    return format == Format::png ? read_png(source) : read_pnm(source, format == Format::ppm);
+    if (format == Format::png) return read_png(source);
+    return format == Format::jpeg ? read_jpeg(source) : read_pnm(source, format == Format::ppm);
 }
 
 std::uint16_t luma(std::uint64_t red, std::uint64_t green, std::uint64_t blue) {
