@@ -94,6 +94,16 @@ class ProgressLine(ToolTest):
         screen.feed(self.drawn(80, *self.LLOYD))
         self.assertRegex(screen.rows[-1], r"\Alloyd #{5,29} 100 %  40/40  \d+ steps/s  [\d.]+ % within tolerance\Z")
 
+    def test_leaves_out_whole_parts_where_there_is_not(self):
+        """The news first, then the rate: no part is cut."""
+        for columns, expected in ((60, r"lloyd (#+ )?100 %  40/40  \d+ steps/s(  [\d.]+ % within tolerance)?"),
+                                  (40, r"lloyd (#{5,} )?100 %  40/40  \d+ steps/s"), (25, r"lloyd #{5} 100 %  40/40"),
+                                  (24, r"lloyd 100 %  40/40"), (19, r"lloyd 100 %  40/40"), (12, r"lloyd 100 %")):
+            with self.subTest(columns=columns):
+                screen = Screen(columns)
+                screen.feed(self.drawn(columns, *self.LLOYD))
+                self.assertRegex(screen.rows[-1], rf"\A{expected}\Z")
+
     def test_the_environment_says_how_wide_where_the_terminal_does_not(self):
         for environment, columns in (({"COLUMNS": "33"}, 33), ({}, 80), ({"COLUMNS": "wide"}, 80),
                                      ({"COLUMNS": "0"}, 80)):
@@ -106,7 +116,8 @@ class ProgressLine(ToolTest):
         self.assertEqual(screen.wrapped, 0)
 
     def test_nothing_is_drawn(self):
-        self.assertEqual(self.drawn(80, *self.LLOYD, environment={"TERM": "dumb"}), "")
+        for terminal in ("dumb", ""):
+            self.assertEqual(self.drawn(80, *self.LLOYD, environment={"TERM": terminal}), "")
         self.assertEqual(self.drawn(80, *self.LLOYD, "--quiet"), "")
         self.assertEqual(self.run_tool(*self.LLOYD).stderr, "")  # no terminal
 

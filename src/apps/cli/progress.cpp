@@ -18,10 +18,11 @@ namespace annulus::inline v1::cli {
 
 namespace {
 
-/// A dumb terminal cannot clear a line.
+/// A dumb terminal cannot clear a line, nor may one of no kind.
 bool draws_here() {
-    const char* const terminal = std::getenv("TERM");
-    return isatty(STDERR_FILENO) == 1 && (terminal == nullptr || std::string_view(terminal) != "dumb");
+    const char* const word = std::getenv("TERM");
+    const std::string_view terminal = word == nullptr ? "" : word;
+    return isatty(STDERR_FILENO) == 1 && !terminal.empty() && terminal != "dumb";
 }
 
 /// The width that the terminal reports; if unknown, that of the environment, or 80.
@@ -46,14 +47,14 @@ std::string bar(double share, std::size_t width) {
 
 std::string Progress_line::in(std::size_t columns) const {
     constexpr std::size_t longest = 30, shortest = 5;
-    std::string rest = steps + "  " + rate;
-    if (!news.empty()) rest += "  " + news;
-    std::string line = label + " ";
-    if (share) {
-        rest = formatted("%3.0f %%  ", 100 * std::clamp(*share, 0.0, 1.0)) + rest;
-        const std::size_t taken = line.size() + rest.size() + 1;
-        if (columns >= taken + shortest) line += bar(*share, std::min(longest, columns - taken));
+    std::string line = label + " ", rest = steps;
+    if (share) rest = formatted("%3.0f %%  ", 100 * std::clamp(*share, 0.0, 1.0)) + rest;
+    for (const std::string& part : {rate, news}) {
+        if (line.size() + rest.size() + 2 + part.size() > columns) break;
+        if (!part.empty()) rest += "  " + part;
     }
+    const std::size_t taken = line.size() + rest.size() + 1;
+    if (share && columns >= taken + shortest) line += bar(*share, std::min(longest, columns - taken));
     line += rest;
     if (line.size() > columns) line.resize(columns);
     for (char& c : line)

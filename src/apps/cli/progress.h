@@ -10,7 +10,7 @@
 namespace annulus::inline v1::cli {
 
 /// A progress bar on standard error with steps per second and short news, drawn at most ten times a second. It is shown
-/// only on a terminal that is not dumb, and is never wider than the terminal.
+/// only on a terminal that has a kind (TERM) and is not dumb, and is never wider than the terminal.
 class Progress {
   public:
     /// `steps` is 0 if the number of steps is unknown.
@@ -30,8 +30,9 @@ class Progress {
     Clock::time_point drawn_{};
 };
 
-/// The text of a progress line. `in(columns)` fits it into that many columns: all of it with a bar if there is room,
-/// all of it without a bar, or its beginning. Every byte of the result is one printable character of one column.
+/// The text of a progress line. `in(columns)` fits it into that many columns: all of it if there is room, otherwise
+/// without the news, or without the rate and the news, or else its beginning; with a bar where room is left for one.
+/// Every byte of the result is one printable character of one column.
 struct Progress_line {
     std::string label, steps, rate, news;
     std::optional<double> share;
