@@ -45,14 +45,12 @@ def delaunay_pairs(points):
     return pairs
 
 
-def voronoi_areas(points):
-    """The area of each cell of {id: point} in 2D, None for cells that leave a far box. By clipping with bisectors, in
-    rationals."""
-    far = Fraction(10) ** 9
+def voronoi_cells(points, clip):
+    """The polygon of each Voronoi cell of {id: point} in 2D, clipped to a convex polygon, in rationals."""
     exact = {i: [Fraction(c) for c in p] for i, p in points.items()}
-    areas = {}
+    cells = {}
     for i, p in exact.items():
-        cell = [[-far, -far], [far, -far], [far, far], [-far, far]]
+        cell = [[Fraction(c) for c in corner] for corner in clip]
         for j, q in exact.items():
             if i == j:
                 continue
@@ -66,9 +64,20 @@ def voronoi_areas(points):
                     t = side[k] / (side[k] - side[n])
                     clipped.append([v[m] + t * (cell[n][m] - v[m]) for m in (0, 1)])
             cell = clipped
-        area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(cell, cell[1:] + cell[:1])) / 2
-        areas[i] = None if any(abs(c) == far for v in cell for c in v) else float(area)
-    return areas
+        cells[i] = cell
+    return cells
+
+
+def polygon_area(polygon):
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(polygon, polygon[1:] + polygon[:1])) / 2
+
+
+def voronoi_areas(points):
+    """The area of each cell of {id: point} in 2D, None for cells that leave a far box."""
+    far = Fraction(10) ** 9
+    cells = voronoi_cells(points, [[-far, -far], [far, -far], [far, far], [-far, far]])
+    return {i: None if any(abs(c) == far for v in cell for c in v) else float(polygon_area(cell))
+            for i, cell in cells.items()}
 
 
 def wander(d, frames, points, seed, step=0.03):

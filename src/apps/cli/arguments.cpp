@@ -3,6 +3,7 @@
 
 #include <annulus/error.h>
 #include <apps/formats/input_error.h>
+#include <apps/formats/parse_double.h>
 
 #include <charconv>
 #include <cmath>
@@ -84,6 +85,19 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
         ->type_name("N")
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
+}
+
+std::vector<double> parse_numbers(const std::string& option, std::string_view words) {
+    std::vector<double> numbers;
+    for (std::string_view rest = words;;) {
+        const std::size_t end = rest.find(',');
+        double value = 0;
+        if (parse_double(rest.substr(0, end), value) != Number_kind::finite)
+            throw Error(Error_code::usage, option + ": '" + std::string(rest.substr(0, end)) + "' is not a number");
+        numbers.push_back(value);
+        if (end == std::string_view::npos) return numbers;
+        rest.remove_prefix(end + 1);
+    }
 }
 
 Options options_of(const Tracking_arguments& tracking, const Common_arguments& common) {

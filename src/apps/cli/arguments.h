@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace annulus::inline v1::cli {
@@ -58,6 +59,9 @@ void add_format(CLI::App& app, std::string& format, std::span<const Format> form
 /// --columns: the columns of a table.
 void add_columns(CLI::App& app, std::string& columns);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);
+
+/// The numbers of an option, separated by commas. Throws Error(usage).
+[[nodiscard]] std::vector<double> parse_numbers(const std::string& option, std::string_view words);
 
 /// Options of the library from those of the command line. Throws Error(usage).
 [[nodiscard]] Options options_of(const Tracking_arguments& tracking, const Common_arguments& common);

@@ -137,6 +137,7 @@ void print_summary(const Run_tracker<Moving>& tracker) {
         percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
         percent(r.moves.reinserted), percent(r.moves.rebuilt));
     print_input(r.input, r.dimension);
+    if (r.clip) std::printf("cells          clipped to %s\n", in_words(*r.clip).c_str());
     if (r.mesh_before && !r.steps.empty() && r.steps.back().mesh) {
         const Mesh_step &a = *r.mesh_before, &b = *r.steps.back().mesh;
         std::printf(

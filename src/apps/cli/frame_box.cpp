@@ -3,9 +3,7 @@
 
 #include <annulus/error.h>
 #include <apps/formats/input_error.h>
-#include <apps/formats/parse_double.h>
 
-#include <string_view>
 #include <utility>
 
 namespace annulus::inline v1::cli {
@@ -39,19 +37,6 @@ Box<d> box_of(const File_box& box, const std::string& file) {
     } catch (const Error& error) {
         throw Input_error(Error_code::bad_input, file, box.line, box.what + ": " + error.what(),
                           "another box, or --open, by which points are taken as they stand, with open boundaries");
-    }
-}
-
-std::vector<double> parse_box(const std::string& words) {
-    std::vector<double> numbers;
-    for (std::string_view rest = words;;) {
-        const std::size_t end = rest.find(',');
-        double value = 0;
-        if (parse_double(rest.substr(0, end), value) != Number_kind::finite)
-            throw Error(Error_code::usage, "--box: '" + std::string(rest.substr(0, end)) + "' is not a number");
-        numbers.push_back(value);
-        if (end == std::string_view::npos) return numbers;
-        rest.remove_prefix(end + 1);
     }
 }
 

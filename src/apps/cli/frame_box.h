@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/box.h>
+#include <apps/cli/arguments.h>
 #include <apps/motion/recorded_motion.h>
 
 #include <optional>
@@ -18,7 +19,7 @@ template <int d>
 [[nodiscard]] Box<d> box_of(const File_box& box, const std::string& file);
 
 /// The numbers of --box: d lengths, or d vectors one after the other, separated by commas. Throws Error(usage).
-[[nodiscard]] std::vector<double> parse_box(const std::string& words);
+[[nodiscard]] inline std::vector<double> parse_box(const std::string& words) { return parse_numbers("--box", words); }
 template <int d>
 [[nodiscard]] Box<d> box_of(const std::vector<double>& numbers);
 

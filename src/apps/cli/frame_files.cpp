@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/frame_files.h>
 
-#include <annulus/error.h>
+#include <apps/cli/frame_clip.h>
 #include <apps/cli/solid_mesh.h>
 #include <apps/formats/decimal.h>
 #include <apps/formats/write_csv.h>
@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -68,37 +67,18 @@ Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::v
 
 }  // namespace
 
-void add_frames(CLI::App& app, Frame_arguments& a) {
-    app.add_option("--every", a.every,
-                   "Write every N-th frame for ParaView, from the first: frames.pvd and frame-*.vtu")
-        ->type_name("N")
-        ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()));
-    app.add_flag("--voronoi", a.voronoi,
-                 "Write voronoi.csv: area or volume and neighbours of every Voronoi cell in every frame");
-    app.add_flag("--neighbors", a.neighbors,
-                 "Write pairs.csv: the pairs of neighbours of every frame, with the length or area of their facet");
-    app.add_flag("--changes", a.changes,
-                 "Write changes.csv: which points became neighbours, or no longer are, and when");
-}
-
-void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options) {
-    if (!frames.any()) return;
-    if (common.output.empty())
-        throw Error(Error_code::usage,
-                    "--every, --voronoi, --neighbors and --changes write files: say where with --output DIR");
-    if (frames.voronoi && options.tolerance != Tolerance_kind::certified)
-        throw Error(Error_code::usage, "--voronoi needs Delaunay triangulations, that is, --tolerance certified");
-    if (frames.neighbors && options.tolerance != Tolerance_kind::certified)
-        throw Error(Error_code::usage, "--neighbors needs Delaunay triangulations, that is, --tolerance certified");
-    options.report_changes = frames.changes;
-}
-
 template <class Moving>
 Frame_files<Moving>::Frame_files(const Common_arguments& common, const Frame_arguments& frames,
                                  Run_tracker<Moving>& tracker)
     : frames_(frames), dt_(tracker.triangulation()) {
     for (std::size_t i = 0; i < dt_.index_bound(); ++i) name(static_cast<Index>(i), i);
     if (!frames.any()) return;
+    if constexpr (Open_mesh<Moving>)
+        if (!frames.clip.empty()) {
+            const Clip_record clip = parse_clip<d>(frames.clip);
+            clip_ = clip_of<d>(clip);
+            tracker.clip(clip);
+        }
     scratch_ = std::make_unique<Result_files>(common);
     const auto begin = [&](const char* file, const std::string& header) {
         auto out = std::make_unique<Text_output>(scratch_->path_of(file));
@@ -154,8 +134,19 @@ void Frame_files<Moving>::append_pair(std::string& text, std::uint64_t number, s
 }
 
 template <class Moving>
+void Frame_files<Moving>::measure() {
+    if constexpr (Open_mesh<Moving>)
+        if (clip_) {
+            measures_ = clipped_measures(dt_, *clip_);
+            return;
+        }
+    if (frames_.voronoi) measures_.cells = cell_measures(dt_);
+    if (frames_.neighbors || (frames_.changes && !Open_mesh<Moving>)) measures_.pairs = facet_pairs(dt_);
+}
+
+template <class Moving>
 void Frame_files<Moving>::write_voronoi(std::uint64_t number, Frame_record& record) {
-    cells_ = cell_measures(dt_);
+    const Cell_measures& cells = measures_.cells;
     std::vector<std::size_t> vertices;
     for (std::size_t i = 0; i < dt_.index_bound(); ++i)
         if (is_present(i)) vertices.push_back(i);
@@ -166,23 +157,23 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, Frame_record& reco
         text += frame;
         append_id(text, id_[i]);
         text += ',';
-        if (std::isfinite(cells_.volume[i])) append_decimal(text, cells_.volume[i]);
+        if (std::isfinite(cells.volume[i])) append_decimal(text, cells.volume[i]);
         text += ',';
-        append_decimal(text, cells_.neighbours[i]);
-        text += std::isfinite(cells_.volume[i]) ? ",0\n" : ",1\n";
+        append_decimal(text, cells.neighbours[i]);
+        text += std::isfinite(cells.volume[i]) ? ",0\n" : ",1\n";
     }
     voronoi_->write(text);
-    record.voronoi = summary_of(cells_.volume, cells_.neighbours, vertices);
+    record.voronoi = summary_of(cells.volume, cells.neighbours, vertices);
 }
 
 template <class Moving>
-void Frame_files<Moving>::write_pairs(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs) {
+void Frame_files<Moving>::write_pairs(std::uint64_t number) {
     struct Row {
         std::uint64_t first, second;
         const Facet_pair<d>* pair;
     };
     std::vector<Row> rows;
-    for (const Facet_pair<d>& p : pairs) {
+    for (const Facet_pair<d>& p : measures_.pairs) {
         const std::uint64_t i = id_[static_cast<std::size_t>(p.first)], j = id_[static_cast<std::size_t>(p.second)];
         rows.push_back({std::min(i, j), std::max(i, j), &p});  // only an open mesh has indices in another order
     }
@@ -199,10 +190,9 @@ void Frame_files<Moving>::write_pairs(std::uint64_t number, const std::vector<Fa
 }
 
 template <class Moving>
-void Frame_files<Moving>::write_changes(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs,
-                                        Frame_record& record) {
+void Frame_files<Moving>::write_changes(std::uint64_t number, Frame_record& record) {
     Frame_record::Neighbour_pairs count;
-    const auto changes = events_.take(dt_, pairs);
+    const auto changes = events_.take(dt_, measures_.pairs);
     std::string text;
     const bool is_first = records_.empty();  // there is no frame before it
     for (const Pair_change<d>& c : changes) {
@@ -225,8 +215,8 @@ void Frame_files<Moving>::write_vtu(std::uint64_t number) {
         const auto i = static_cast<std::size_t>(v);
         ids.push_back(id_[i]);
         if (!frames_.voronoi) continue;
-        volume.push_back(cells_.volume[i]);
-        neighbours.push_back(cells_.neighbours[i]);
+        volume.push_back(measures_.cells.volume[i]);
+        neighbours.push_back(measures_.cells.neighbours[i]);
     }
     std::vector<Vtu_field> fields;
     if (ids_ != nullptr && ids_->have_signs())
@@ -244,11 +234,10 @@ template <class Moving>
 void Frame_files<Moving>::frame(std::uint64_t number) {
     Frame_record record{number, dt_.number_of_vertices()};
     const bool pictured = frames_.every > 0 && records_.size() % frames_.every == 0;
-    std::vector<Facet_pair<d>> pairs;
-    if (frames_.neighbors || (frames_.changes && !Open_mesh<Moving>)) pairs = facet_pairs(dt_);
+    measure();
     if (frames_.voronoi) write_voronoi(number, record);
-    if (frames_.neighbors) write_pairs(number, pairs);
-    if (frames_.changes) write_changes(number, pairs, record);
+    if (frames_.neighbors) write_pairs(number);
+    if (frames_.changes) write_changes(number, record);
     if (pictured) write_vtu(number);
     records_.push_back(record);
 }

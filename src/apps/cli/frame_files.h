@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <apps/cli/arguments.h>
+#include <apps/cli/frame_arguments.h>
 #include <apps/cli/pair_changes.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/run_tracker.h>
@@ -12,24 +12,11 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace annulus::inline v1::cli {
-
-/// Which data of the frames of a run are written.
-struct Frame_arguments {
-    std::uint64_t every = 0;  ///< 0: no frames
-    bool voronoi = false;
-    bool changes = false;
-    bool neighbors = false;
-
-    [[nodiscard]] bool any() const { return every > 0 || voronoi || changes || neighbors; }
-};
-
-void add_frames(CLI::App& app, Frame_arguments& arguments);
-/// Throws Error(usage) for arguments that exclude each other. Sets report_changes in `options` if it is needed.
-void prepare(const Frame_arguments& frames, const Common_arguments& common, Options& options);
 
 /// The files of --every, --voronoi, --neighbors and --changes: frames.pvd and its frames, voronoi.csv, pairs.csv,
 /// changes.csv; ids.csv where the frames have numbers for ids that are words. They are written during the run, next to
@@ -64,9 +51,10 @@ class Frame_files {
     /// "12,7,9,0,-1,0," with the shift in a periodic box: the columns of pair_head.
     void append_pair(std::string& text, std::uint64_t number, std::uint64_t first, std::uint64_t second,
                      const Shift<d>& shift) const;
+    void measure();
     void write_voronoi(std::uint64_t number, Frame_record& record);
-    void write_pairs(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs);
-    void write_changes(std::uint64_t number, const std::vector<Facet_pair<d>>& pairs, Frame_record& record);
+    void write_pairs(std::uint64_t number);
+    void write_changes(std::uint64_t number, Frame_record& record);
     void write_vtu(std::uint64_t number);
     [[nodiscard]] bool is_present(std::size_t i) const;
 
@@ -80,7 +68,8 @@ class Frame_files {
     Pair_changes<Moving> events_;
     std::vector<Frame_record> records_;
     std::vector<Pvd_entry> series_;
-    Cell_measures cells_;  // of this frame, with --voronoi
+    std::optional<Voronoi_clip<d>> clip_;
+    Frame_measures<d> measures_;  // of this frame
 };
 
 extern template class Frame_files<Moving_mesh_2>;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/frame_measures.h>
 
-#include <annulus/voronoi.h>
-
 #include <utility>
 
 namespace annulus::inline v1::cli {
+
+namespace {
+
+template <int d>
+std::vector<Facet_pair<d>> pairs_of(const Voronoi_diagram<d>& diagram) {
+    std::vector<Facet_pair<d>> result;
+    result.reserve(diagram.pair.size());
+    for (std::size_t k = 0; k < diagram.pair.size(); ++k)
+        result.push_back({diagram.pair[k][0], diagram.pair[k][1], {}, diagram.measure[k]});
+    return result;
+}
+
+}  // namespace
 
 template <int d>
 Cell_measures cell_measures(const Moving_mesh<d>& dt) {
@@ -20,12 +31,7 @@ Cell_measures cell_measures(const Boxed_mesh<d>& dt) {
 
 template <int d>
 std::vector<Facet_pair<d>> facet_pairs(const Moving_mesh<d>& dt) {
-    const Voronoi_diagram<d> diagram = voronoi_diagram<d>(dt.points(), dt.cells());
-    std::vector<Facet_pair<d>> result;
-    result.reserve(diagram.pair.size());
-    for (std::size_t k = 0; k < diagram.pair.size(); ++k)
-        result.push_back({diagram.pair[k][0], diagram.pair[k][1], {}, diagram.measure[k]});
-    return result;
+    return pairs_of(voronoi_diagram<d>(dt.points(), dt.cells()));
 }
 
 template <int d>
@@ -39,6 +45,14 @@ std::vector<Facet_pair<d>> facet_pairs(const Boxed_mesh<d>& dt) {
     return result;
 }
 
+template <int d>
+Frame_measures<d> clipped_measures(const Moving_mesh<d>& dt, const Voronoi_clip<d>& clip) {
+    Voronoi_diagram<d> diagram = voronoi(dt, clip);
+    return {{std::move(diagram.volume), voronoi_neighbour_counts<d>(dt.index_bound(), dt.cells())}, pairs_of(diagram)};
+}
+
+template Frame_measures<2> clipped_measures(const Moving_mesh<2>&, const Voronoi_clip<2>&);
+template Frame_measures<3> clipped_measures(const Moving_mesh<3>&, const Voronoi_clip<3>&);
 template Cell_measures cell_measures(const Moving_mesh<2>&);
 template Cell_measures cell_measures(const Moving_mesh<3>&);
 template Cell_measures cell_measures(const Boxed_mesh<2>&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 #include <apps/cli/boxed_mesh.h>
 
 #include <vector>
@@ -32,6 +33,18 @@ template <int d>
 template <int d>
 [[nodiscard]] std::vector<Facet_pair<d>> facet_pairs(const Boxed_mesh<d>& dt);
 
+/// What is measured in a frame, as far as it is asked for.
+template <int d>
+struct Frame_measures {
+    Cell_measures cells;
+    std::vector<Facet_pair<d>> pairs;
+};
+/// Of cells and facets that are intersected with a clip, so that all are finite: 0 also for those outside it.
+template <int d>
+[[nodiscard]] Frame_measures<d> clipped_measures(const Moving_mesh<d>& dt, const Voronoi_clip<d>& clip);
+
+extern template Frame_measures<2> clipped_measures(const Moving_mesh<2>&, const Voronoi_clip<2>&);
+extern template Frame_measures<3> clipped_measures(const Moving_mesh<3>&, const Voronoi_clip<3>&);
 extern template Cell_measures cell_measures(const Moving_mesh<2>&);
 extern template Cell_measures cell_measures(const Moving_mesh<3>&);
 extern template Cell_measures cell_measures(const Boxed_mesh<2>&);

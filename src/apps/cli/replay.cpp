@@ -158,8 +158,13 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
     return tracker.record().audit.failed == 0 ? done : audit_failed;
 }
 
-/// In a periodic box a step flips or rebuilds: no tolerances, no points that are inserted again.
-void require_periodic(const Tracking_arguments& tracking) {
+/// In a periodic box a step flips or rebuilds: no tolerances, no points that are inserted again. All cells are bounded.
+void require_periodic(const Replay_call& a) {
+    if (!a.frames.clip.empty())
+        throw Error(Error_code::usage,
+                    "in a periodic box every Voronoi cell is bounded, and the cells fill the box: no --clip, or --open "
+                    "for open boundaries");
+    const Tracking_arguments& tracking = a.tracking;
     if ((tracking.strategy != "auto" && tracking.strategy != "rebuild") || tracking.tolerance != "certified")
         throw Error(Error_code::usage,
                     "in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified, or "
@@ -174,7 +179,7 @@ int run(const Replay_call& a, const std::string& command) {
     prepare(a.frames, a.common, options);
     Opened_motion motion = open_motion(a.replay);
     if (motion.periodic) {
-        require_periodic(a.tracking);
+        require_periodic(a);
         return motion.dimension == 2 ? replay<Boxed_mesh<2>>(a, options, command, motion, begin)
                                      : replay<Boxed_mesh<3>>(a, options, command, motion, begin);
     }
@@ -190,6 +195,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     add_replay(*sub, a->replay);
     add_box(*sub, a->replay);
     add_frames(*sub, a->frames);
+    add_clip(*sub, a->frames);
     add_tracking(*sub, a->tracking);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

@@ -52,6 +52,9 @@ class Run_tracker {
     /// Sets how the file with the points was interpreted.
     void input(Input_record input) { record_.input = std::move(input); }
 
+    /// Sets to what the Voronoi cells of the frames are clipped.
+    void clip(Clip_record clip) { record_.clip = std::move(clip); }
+
     /// Called with the report of each call of the triangulation, and with the vertex that it inserted, or `none`.
     using Listener = std::function<void(const Move_result& report, Index arrived)>;
     void listen(Listener listener) { listener_ = std::move(listener); }

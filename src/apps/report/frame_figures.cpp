@@ -77,7 +77,7 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     else
         cells.panels.push_back(plot("Neighbours of a cell", "frame", "mean over the bounded cells",
                                     {voronoi("", &Voronoi::neighbours_mean)}));
-    if (run.input.box.empty())  // in a periodic box all are bounded
+    if (run.input.box.empty() && !run.clip)  // in a periodic box, and where they are clipped, all are bounded
         cells.panels.push_back(plot("Unbounded cells", "frame", "cells", {voronoi("", &Voronoi::unbounded)}));
     std::vector<Figure> figures;
     for (Figure* figure : {&motion, &cells}) {

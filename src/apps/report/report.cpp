@@ -4,6 +4,7 @@
 #include <apps/report/page.h>
 #include <apps/report/report.h>
 #include <apps/report/report_plots.h>
+#include <apps/report/summary.h>
 #include <apps/report/table.h>
 
 #include <algorithm>
@@ -36,6 +37,7 @@ void append_numbers(std::string& out, const Run_record& run) {
         for (const double c : run.input.box[i]) vector += (vector.empty() ? "" : ", ") + readable(c);
         append_row(out, "its vector " + std::to_string(i + 1) + " at the end", vector);
     }
+    if (run.clip) append_row(out, "Voronoi cells clipped to", escaped(in_words(*run.clip)));
     append_row(out, "iterations", grouped(run.iterations));
     append_row(out, "strategy", escaped(run.strategy));
     append_row(out, "tolerance", escaped(run.tolerance));

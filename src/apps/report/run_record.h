@@ -87,10 +87,17 @@ struct Input_record {
     std::vector<std::vector<double>> box{};  ///< the vectors of that of the last frame
 };
 
+/// The region to which Voronoi cells are clipped: --clip.
+struct Clip_record {
+    std::string kind;                       ///< "box", "polygon" or "half-spaces"
+    std::vector<std::vector<double>> rows;  ///< lower and upper corner; corners; a, b [, c], e of each half-space
+};
+
 /// One run of one strategy, as in the files that it writes.
 struct Run_record {
     std::string command;
     Input_record input;
+    std::optional<Clip_record> clip{};
     int dimension = 2;
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/error.h>
 #include <annulus/version.h>
+#include <apps/formats/input_error.h>
 #include <apps/report/summary.h>
 
 namespace annulus::inline v1 {
@@ -59,6 +60,11 @@ void append_input(Json& json, const Input_record& input) {
     if (!input.ignored.empty()) json["ignored"] = input.ignored;
 }
 
+std::string in_words(const Clip_record& clip) {
+    if (clip.kind == "polygon") return "a polygon with " + counted(clip.rows.size(), "corner");
+    return clip.kind == "box" ? "a box" : counted(clip.rows.size(), "half-space");
+}
+
 Json summary_json(const Run_record& run) {
     Json json;
     json["command"] = run.command;
@@ -86,6 +92,7 @@ Json summary_json(const Run_record& run) {
     json["memory"] = Json{{"peak_bytes", run.memory_peak_bytes == 0 ? Json() : Json(run.memory_peak_bytes)}};
     json["mean_spacing"] = run.mean_spacing;
     append_input(json, run.input);
+    if (run.clip) json["clip"] = Json{{"kind", run.clip->kind}, {"rows", run.clip->rows}};
     if (run.mesh_before) {
         Json& mesh = json["mesh"];
         mesh["before"] = mesh_json(*run.mesh_before);

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace annulus::inline v1 {
 
 /// The content of summary.json: the keys of every run in a fixed order, then memory and the unit of length. Only an
@@ -14,6 +16,9 @@ namespace annulus::inline v1 {
 
 /// Adds the keys `columns`, `box` and `ignored`, unless they are empty.
 void append_input(nlohmann::ordered_json& json, const Input_record& input);
+
+/// "a box", "a polygon with 5 corners", "7 half-spaces".
+[[nodiscard]] std::string in_words(const Clip_record& clip);
 
 /// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the
 /// triangulation seconds of a over those of b, for every ordered pair (null when b took no time), then any
