@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/exact.h>
 #include <annulus/error.h>
+#include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double u = bounds::u;
 /// In a unit in which no value is above 2, underflow changes each term by less than this.
 constexpr double lost = 0x1p-1000;
 /// Errors above this many shortest edges are not good enough.
@@ -98,20 +99,21 @@ template <int d>
 
 }  // namespace
 
-// Errors in doubles, counted in u per term; what is of second order is in the larger constants that are used. A
-// difference of two coordinates has 1 (scaling by a power of two none). In 2D: a square 2+1, a sum of two
-// squares 4; times a coordinate 6; a difference of two 7 of the magnitude: 8 is used; denominator 3 and 1: 4, 6 is
-// used. In 3D: a sum of three squares 5, a minor 2+1+1 = 4, times a sum of squares 10, sums of three 12 of the
+// Errors in doubles, counted in u per term; what is of second order is in the larger constants that are used
+// (predicate/bounds.h). A difference of two coordinates has 1 (scaling by a power of two none). In 2D: a square 2+1, a
+// sum of two squares 4; times a coordinate 6; a difference of two 7 of the magnitude: 8 is used; denominator 3 and 1:
+// 4, 6 is used. In 3D: a sum of three squares 5, a minor 2+1+1 = 4, times a sum of squares 10, sums of three 12 of the
 // magnitude: 16 is used; denominator 4+1+1+2 = 8: 10 is used. The magnitudes are themselves computed, too small by as
-// many u at most, which the larger constants cover as well.
+// many u at most, which the larger constants cover as well: proofs/gappa/circumcentre_2.g, circumcentre_3.g.
 //
 // With N and D computed, eN and eD their errors and d = D - eD > 0 below the true denominator,
 //     |N / 2D - truth| <= (eN + |N / D| eD) / 2d,
 // and the division has another u.
 template <int d>
 Circumcentre<d> circumcentre(const Corners<d>& x, double scale) {
-    constexpr double of_numerator = (d == 2 ? 8 : 16) * u;
-    constexpr double of_denominator = (d == 2 ? 6 : 10) * u;
+    constexpr double of_numerator = (d == 2 ? bounds::circumcentre_2_numerator : bounds::circumcentre_3_numerator) * u;
+    constexpr double of_denominator =
+        (d == 2 ? bounds::circumcentre_2_denominator : bounds::circumcentre_3_denominator) * u;
     std::array<Coordinates<d>, static_cast<std::size_t>(d)> v;
     double shortest = HUGE_VAL;
     for (std::size_t i = 0; i < d; ++i) {

@@ -28,12 +28,14 @@
 //     2 a_k   is off by   |P_k| g_k+1 + |P_k+1| g_k + g_k g_k+1 + 16 u |P_k| |P_k+1|:
 //
 // a coordinate of the product of two vectors is two products and a difference, 2 u of its terms, the sum of three
-// times e another 4 u of terms that add up to less than |e|_2 |P_k| |P_k+1|, the direction e / |e| 4 u: 10 of the 16.
+// times e another 4 u of terms that add up to less than |e|_2 |P_k| |P_k+1|, the direction e / |e| 4 u: facet_area_3 u
+// at most (proofs/gappa/voronoi_facets_3.g), of the 16. The rest is for the rounding of the bound.
 // Edges are below 2, in the unit of circumcentre(), so an underflow is an error of 2^-1070 (1 + |P_k|) (1 + |P_k+1|) /
 // |e| at most; `lost` covers it, because edges with a coordinate below 2^-400 are left to integers.
 //
 // A sum of positive terms is as good as the terms; where the bound is above an eighth of the promise, integers
-// compute the facet. In 2D the length |C_1 - C_0| is off by g_1 and 4 u of itself.
+// compute the facet. In 2D the length |C_1 - C_0| is off by g_1 and facet_length_2 u of itself (voronoi_facets_2.g);
+// another 4 u are for the rounding of the bound.
 
 namespace annulus::inline v1 {
 
@@ -149,7 +151,7 @@ bool Voronoi_facets<d>::measure(Voronoi_facet<d>& facet) const {
         const double length = std::sqrt(x * x + y * y);
         facet.measure = length;
         for (std::size_t k = 0; k < 2; ++k) facet.centroid[k] = 0.5 * (first.offset[k] + last.offset[k]);
-        const double error = first.error + last.error + 8 * u * length + lost;
+        const double error = first.error + last.error + (bounds::facet_length_2 + 4) * u * length + lost;
         return error < good * length;
     } else {
         const Coordinates<d> e = difference(facet.i, facet.j);
@@ -172,7 +174,8 @@ bool Voronoi_facets<d>::measure(Voronoi_facet<d>& facet) const {
                                      e[2] * (p[0] * r[1] - p[1] * r[0]);
                 sum += twice;
                 for (std::size_t a = 0; a < d; ++a) moment[a] += twice * (p[a] + r[a]);
-                error += size * g_r + size_r * g + g * g_r + 16 * u * size * size_r + lost * (1 + size) * (1 + size_r);
+                error += size * g_r + size_r * g + g * g_r + (bounds::facet_area_3 + 5) * u * size * size_r +
+                         lost * (1 + size) * (1 + size_r);
             }
             p = r;
             size = size_r;

@@ -50,6 +50,17 @@ inline constexpr double cached_sphere_2_linear = 81.0;  ///< 3 in the cell, 1 in
 inline constexpr double cached_sphere_3_square = 241.0;
 inline constexpr double cached_sphere_3_linear = 811.0;
 
+/// measure/circumcentre.cpp, of the computed magnitudes of all terms: proofs/gappa/circumcentre_2.g, circumcentre_3.g.
+inline constexpr double circumcentre_2_numerator = 8.0;
+inline constexpr double circumcentre_2_denominator = 6.0;
+inline constexpr double circumcentre_3_numerator = 16.0;
+inline constexpr double circumcentre_3_denominator = 10.0;
+
+/// measure/voronoi_facets.h, relative to the length, and to the magnitudes of an area's terms:
+/// proofs/gappa/voronoi_facets_2.g, voronoi_facets_3.g.
+inline constexpr double facet_length_2 = 4.0;
+inline constexpr double facet_area_3 = 11.0;
+
 /// measure/voronoi_terms.h, products that make up Voronoi volumes: proofs/gappa/voronoi_terms_2.g,
 /// voronoi_terms_3.g.
 inline constexpr double voronoi_2 = 9.0;         ///< degree 1 in the edge, 1 in the dual edge
