@@ -44,8 +44,10 @@ class VoronoiQueries(Queries):
 
         Notes
         -----
-        Computed afresh by each call, O(n): about two microseconds per vertex in 2D, ten in 3D. Facets with four (3D:
-        five) cospherical corners are decided exactly, and take some microseconds each.
+        O(n): about a microsecond per vertex in 2D, five in 3D. The result is kept, 1.5 kB per vertex in 3D (400 bytes
+        in 2D): without a clip, a later call computes only the facets around points that moves and changes of cells
+        affect, and copies the others, a quarter of the cost where one in a hundred moved. Facets with four (3D: five)
+        cospherical corners are decided exactly, and take some microseconds each.
         """
         box, half_spaces = clip_of(clip, self.ndim)
         return Voronoi(_core.voronoi(self._mesh, box, half_spaces))

@@ -6,6 +6,7 @@
 #include <annulus/error.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/kernel/kept_lists.h>
+#include <annulus/measure/voronoi_kept_diagram.h>
 #include <annulus/measure/voronoi_kept_gradient.h>
 #include <annulus/published/strategies.h>
 
@@ -33,6 +34,7 @@ struct Moving_mesh<d>::Parts {
     Kept_lists<d> lists{mesh};
     std::mutex measuring;
     std::unique_ptr<Kept_voronoi_volumes<d>> volumes;  // null until the first call of voronoi_volumes()
+    std::unique_ptr<Kept_voronoi_diagram<d>> diagram;  // null until the first call of voronoi(mesh)
 };
 
 namespace {
@@ -219,6 +221,12 @@ auto Moving_mesh<d>::voronoi_gradient(std::span<const double> weights) const -> 
             return edge_gradient(*parts_->volumes, points(), weights);
         }
     return annulus::voronoi_gradient<d>(points(), cell_lists()->cells, weights);
+}
+template <int d>
+Voronoi_diagram<d> Moving_mesh<d>::voronoi_diagram() const {
+    const std::lock_guard hold(parts_->measuring);
+    if (!parts_->diagram) parts_->diagram = std::make_unique<Kept_voronoi_diagram<d>>();
+    return parts_->diagram->update(parts_->mesh.table(), points(), cell_lists());
 }
 template <int d>
 Audit_input<d> Moving_mesh<d>::audit_input() const {

@@ -15,6 +15,12 @@ namespace annulus::inline v1 {
 
 template <int d>
 class Delaunay_mesh;
+template <int d>
+class Moving_mesh;
+template <int d>
+struct Voronoi_diagram;
+[[nodiscard]] Voronoi_diagram<2> voronoi(const Moving_mesh<2>& mesh);
+[[nodiscard]] Voronoi_diagram<3> voronoi(const Moving_mesh<3>& mesh);
 
 /// A Delaunay triangulation that is kept right while its vertices move, as arrays: Moving_delaunay without an object
 /// of CGAL, for callers that need no handles. It has the same engine, options, strategies and errors, and the same
@@ -160,8 +166,11 @@ class Moving_mesh {
   private:
     template <int>
     friend class Mesh_access;  // CGAL's view (internal/mesh_access.h)
+    friend Voronoi_diagram<2> voronoi(const Moving_mesh<2>& mesh);
+    friend Voronoi_diagram<3> voronoi(const Moving_mesh<3>& mesh);
     struct Parts;
     [[nodiscard]] Delaunay_mesh<d>& changeable_mesh();
+    [[nodiscard]] Voronoi_diagram<d> voronoi_diagram() const;
 
     std::unique_ptr<Parts> parts_;
 };

@@ -3,6 +3,7 @@
 // results: the target annulus-threads has these tests alone, to be built with it.
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/moving_mesh.h>
+#include <annulus/voronoi.h>
 
 #include <support/at_once.h>
 #include <support/catch.h>
@@ -139,6 +140,8 @@ TEST_CASE("Const members of a mesh may run at the same time", "[threads]") {
             said.push_back(mesh.audit().delaunay());
             const std::vector<double> volumes = mesh.voronoi_volumes();  // the first call computes them
             said.insert(said.end(), volumes.begin(), volumes.end());
+            const std::vector<double> facets = voronoi(mesh).measure;  // so does this
+            said.insert(said.end(), facets.begin(), facets.end());
             return said;
         };
         const auto together = at_once(say);

@@ -34,12 +34,14 @@ class Edge_rings {
 
     template <class Visit>
     void for_each(Visit visit) {
-        for (std::size_t c = 0; c < cells_.vertices.size(); ++c) {
-            if constexpr (d == 2) visit_edges(static_cast<Index>(c), visit);
-            else
-                for (std::size_t e = 0; e < 6; ++e)
-                    if ((done_[c] >> e & 1) == 0) visit(ring_of(static_cast<Index>(c), e));
-        }
+        const auto all = [](Index, Index) { return true; };
+        for (std::size_t c = 0; c < cells_.vertices.size(); ++c) visit_edges(static_cast<Index>(c), all, visit);
+    }
+    /// The edges that are wanted(i, j), symmetric in both, in the same order. `cells` are all cells with such an edge,
+    /// and perhaps others; they ascend.
+    template <class Wanted, class Visit>
+    void for_each_of(std::span<const Index> cells, Wanted wanted, Visit visit) {
+        for (const Index c : cells) visit_edges(c, wanted, visit);
     }
 
   private:
@@ -53,14 +55,24 @@ class Edge_rings {
     static constexpr std::size_t ends[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
                                                {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
 
-    template <class Visit>
-    void visit_edges(Index c, Visit& visit) const {
+    template <class Wanted, class Visit>
+    void visit_edges(Index c, Wanted& wanted, Visit& visit) {
+        if constexpr (d == 2) visit_sides(c, wanted, visit);
+        else
+            for (std::size_t e = 0; e < 6; ++e)
+                if ((done_[at(c)] >> e & 1) == 0 &&
+                    wanted(cells_.vertices[at(c)][ends[e][0]], cells_.vertices[at(c)][ends[e][1]]))
+                    visit(ring_of(c, e));
+    }
+
+    template <class Wanted, class Visit>
+    void visit_sides(Index c, Wanted& wanted, Visit& visit) const {
         for (std::size_t k = 0; k < 3; ++k) {
             const Index n = cells_.neighbours[at(c)][k];
             const Index p = cells_.vertices[at(c)][(k + 1) % 3];
             const Index q = cells_.vertices[at(c)][(k + 2) % 3];
             if (n != cells_.outside && !shares(n, p, q, c)) refuse(c);
-            if (n != cells_.outside && n < c) continue;
+            if ((n != cells_.outside && n < c) || !wanted(p, q)) continue;
             const bool open = n == cells_.outside;
             const std::array<Index, 2> both{c, n};
             const char crossing = static_cast<char>(k);

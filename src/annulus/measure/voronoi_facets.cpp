@@ -17,11 +17,15 @@ constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 template <int d>
-Voronoi_facets<d>::Voronoi_facets(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells)
+Voronoi_facets<d>::Voronoi_facets(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
+                                  const Known_circumcentres<d>* known)
     : input_((require_sound_environment(), points), cells),
       exponent_(std::max(input_.exponent, -1000)),
       scale_(std::ldexp(1.0, -exponent_)) {
-    if (input_.spans) centre_ = input_.circumcentres(scale_);
+    if (!input_.spans) return;
+    centre_ = known != nullptr && known->exponent == exponent_
+                  ? input_.circumcentres(scale_, known->before, known->centre)
+                  : input_.circumcentres(scale_);
 }
 
 /// Ascending, each once.

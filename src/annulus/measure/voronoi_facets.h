@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 // A facet between the Voronoi cells of i and j is the polygon of the circumcentres C_0, C_1 .. around the edge i j, in
@@ -50,12 +51,21 @@ struct Voronoi_facet : Facet_measure<d> {
     std::span<const Index> ring{};  ///< the cells around the edge, as Edge_ring has them
 };
 
+/// Circumcentres of an earlier list of cells.
+template <int d>
+struct Known_circumcentres {
+    std::span<const Index> before;            ///< by cell: its number there; `none` if it is not what it was
+    std::span<const Circumcentre<d>> centre;  ///< by number there, in the unit 2^exponent
+    int exponent;
+};
+
 /// Computes all facets of the Voronoi diagram of a Delaunay triangulation.
 template <int d>
 class Voronoi_facets {
   public:
-    /// Refers to both. Throws as voronoi_volumes does.
-    Voronoi_facets(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells);
+    /// Refers to both. What is known is taken, if it is in the same unit. Throws as voronoi_volumes does.
+    Voronoi_facets(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells,
+                   const Known_circumcentres<d>* known = nullptr);
 
     /// Calls visit(Voronoi_facet<d>) for each edge, in an order that depends on the cells alone. Where the points do
     /// not span d dimensions every facet is unbounded, and has no ring.
@@ -66,6 +76,12 @@ class Voronoi_facets {
             return;
         }
         Edge_rings<d>(input_.cells).for_each([&](const Edge_ring& ring) { visit(facet_of(ring)); });
+    }
+
+    /// The same, in the same order, for some edges: see Edge_rings. Precondition: the points span d dimensions.
+    template <class Wanted, class Visit>
+    void for_each_of(std::span<const Index> cells, Wanted wanted, Visit visit) {
+        Edge_rings<d>(input_.cells).for_each_of(cells, wanted, [&](const Edge_ring& r) { visit(facet_of(r)); });
     }
 
     /// Whether a cell and the one beyond its facet opposite to corner k have exactly the same circumcentre.
@@ -79,6 +95,7 @@ class Voronoi_facets {
     [[nodiscard]] const Voronoi_input<d>& input() const { return input_; }
     /// By cell.
     [[nodiscard]] std::span<const Circumcentre<d>> centres() const { return centre_; }
+    [[nodiscard]] std::vector<Circumcentre<d>> take_centres() { return std::move(centre_); }
 
   private:
     /// A circumcentre relative to vertex i, with its error.

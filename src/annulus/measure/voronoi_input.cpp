@@ -62,9 +62,14 @@ void Voronoi_input<d>::note_cell(std::size_t c) {
 }
 
 template <int d>
-std::vector<Circumcentre<d>> Voronoi_input<d>::circumcentres(double scale) const {
+std::vector<Circumcentre<d>> Voronoi_input<d>::circumcentres(double scale, std::span<const Index> before,
+                                                             std::span<const Circumcentre<d>> known) const {
     std::vector<Circumcentre<d>> centre(cells.vertices.size());
     for (std::size_t c = 0; c < centre.size(); ++c) {
+        if (!before.empty() && before[c] != none) {
+            centre[c] = known[at(before[c])];
+            continue;
+        }
         Corners<d> corners;
         for (std::size_t i = 0; i <= d; ++i) corners[i] = points[at(cells.vertices[c][i])];
         centre[c] = circumcentre_of<d>(cells.vertices[c], corners, scale);

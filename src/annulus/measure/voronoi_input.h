@@ -27,7 +27,9 @@ struct Voronoi_input {
     Voronoi_input(std::span<const Coordinates<d>> points, const Mesh_cells<d>& cells);
 
     /// By cell, in the unit 1/scale: a power of two, no coordinate times which is above 1. Precondition: spans.
-    [[nodiscard]] std::vector<Circumcentre<d>> circumcentres(double scale) const;
+    /// Those of cells that have a number `before`, which is not `none`, are known[before].
+    [[nodiscard]] std::vector<Circumcentre<d>> circumcentres(double scale, std::span<const Index> before = {},
+                                                             std::span<const Circumcentre<d>> known = {}) const;
 
     std::span<const Coordinates<d>> points;
     const Mesh_cells<d>& cells;
