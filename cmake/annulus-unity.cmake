@@ -24,6 +24,7 @@ if(ANNULUS_BUILD_APPS AND NOT ANNULUS_CORE_ONLY)
     annulus_unite(annulus-apps-objects report "/report/[a-z_]*[.]cpp$")
     annulus_unite(annulus-apps-objects motion "/motion/[a-z_0-9]*[.]cpp$")
     annulus_unite(annulus-apps-objects plane "/motion/(domain_2|sampling_2)[.]cpp$")
+    annulus_unite(annulus-apps-objects polygons "/motion/(polygon_rings_2|triangles_2)[.]cpp$")
     annulus_unite(annulus-solids solids "/(motion|formats)/[a-z_0-9]*[.]cpp$")
     annulus_unite(annulus-solids surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
     # CGAL's Mesh_3 takes a minute alone; the other files have names that occur elsewhere in their module.

@@ -65,11 +65,8 @@ class Domains(ToolTest):
                       self.refuse(3, "lloyd", "--input", "outside.xyz", "--domain", "square.xyz", "--iterations", "3"))
 
     def test_what_is_wrong_with_a_polygon_is_said_by_line(self):
-        for corners, line, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)], 5,
-                                      "counter-clockwise and turns right at corner 4"),
-                                     ([(2, 2), (1, 0.5), (2, 0), (0, 0)], 2, "clockwise and turns left at corner 1"),
-                                     ([(0, 0), (1, 0), (1, 0.5), (2, 0.5), (1, 0.5), (1, 1), (0, 1)], 4,
-                                      "go back on itself"),
+        for corners, line, words in (([(0, 0), (1, 0), (1, 0.5), (2, 0.5), (1, 0.5), (1, 1), (0, 1)], 2,
+                                      "line 4: edges of a polygon must meet at their common corners only"),
                                      (4 * [(0, 0)], 1, "all its 4 are at one place"),
                                      (4 * [(1, 2)], 1, "all its 4 are at one place"),
                                      ([(0, 0), (1, 1), (2, 2), (0, 0)], 1, "all its 4 are on one line"),
@@ -81,8 +78,7 @@ class Domains(ToolTest):
                 self.assertIn(words, said)
 
     def test_polygon_that_is_none(self):
-        for name, corners in (("dent.xyz", [(0, 0), (2, 0), (1, 0.5), (2, 2), (0, 2)]),
-                              ("bow.xyz", [(0, 0), (2, 2), (2, 0), (0, 2)]),
+        for name, corners in (("bow.xyz", [(0, 0), (2, 2), (2, 0), (0, 2)]),
                               ("star.xyz", [(math.cos(4 * math.pi * k / 5), math.sin(4 * math.pi * k / 5))
                                             for k in range(5)]),
                               ("line.xyz", [(0, 0), (1, 1), (2, 2)]),

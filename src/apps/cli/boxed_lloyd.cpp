@@ -165,8 +165,9 @@ void require_open_options_absent(const Boxed_lloyd_call& a) {
     if (a.lloyd.open) refuse("--open and --box exclude each other");
     if ((a.tracking.strategy != "auto" && a.tracking.strategy != "rebuild") || a.tracking.tolerance != "certified")
         refuse("in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified");
-    if (!a.lloyd.domain.empty() || a.lloyd.radius != 0)
-        refuse("with --box the domain is the periodic box: no --domain, no --radius");
+    if (!a.lloyd.domain.empty() || a.lloyd.radius != 0 || !a.lloyd.size.empty())
+        refuse("with --box the domain is the periodic box: no --domain, --radius or --size");
+    if (a.lloyd.keep_boundary) refuse("--keep-boundary is for polygons: a periodic box has no boundary");
     if (a.lloyd.density != "one" || a.lloyd.invert || a.lloyd.dots != "equal")
         refuse("in a periodic box the density is one: no other --density, no picture with --invert or --dots");
     if (a.lloyd.points == 0 && a.lloyd.input.empty())

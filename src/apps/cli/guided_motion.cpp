@@ -10,7 +10,7 @@ namespace annulus::inline v1::cli {
 Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common)
     : scene_(make_scene(arguments, common.seed)),
       guide_(scene_.points),
-      lloyd_(scene_.domain, scene_.density, common.threads) {
+      lloyd_(scene_.domain, scene_.density, common.threads, scene_.border) {
     common.say_merged(arguments.input, scene_.merged);
     common.say_notes(scene_.input.warnings);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/box_size.h>
 #include <apps/cli/boxed_lloyd.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
 #include <apps/cli/lloyd_scene.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/result_files.h>
+#include <apps/cli/solid_lloyd.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
 #include <apps/formats/formatted.h>
@@ -28,6 +30,8 @@ struct Lloyd_call {
 
 int run(const Lloyd_call& a, const std::string& command) {
     if (!a.box.empty()) return run_boxed_lloyd({a.common, a.tracking, a.lloyd, a.frames, a.box}, command);
+    if (a.lloyd.domain == "box" && dimension_of_size(a.lloyd.size) == 3)
+        return run_solid_lloyd({a.common, a.tracking, a.lloyd, a.frames}, command);
     const auto begin = Clock::now();
     Options options = options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
@@ -42,7 +46,7 @@ int run(const Lloyd_call& a, const std::string& command) {
     Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
-    const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads);
+    const Lloyd_2 lloyd(scene.domain, scene.density, a.common.threads, scene.border);
     Stars_2 stars;
     Lloyd_memory memory;
     std::vector<Coordinates<2>> target(scene.points.size());
@@ -86,7 +90,7 @@ int run(const Lloyd_call& a, const std::string& command) {
 
 Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand(
-        "lloyd", "Lloyd iterations in 2D, or in a periodic box, with the triangulation kept right throughout");
+        "lloyd", "Lloyd iterations in 2D, or in a box in 2D or 3D, with the triangulation kept right throughout");
     const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
     add_lloyd_box(*sub, a->box);

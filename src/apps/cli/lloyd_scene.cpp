@@ -3,10 +3,12 @@
 
 #include <annulus/kernel/read_neighbours.h>
 #include <annulus/predicate/filtered.h>
+#include <apps/cli/box_size.h>
 #include <apps/formats/read_gray_image.h>
 #include <apps/formats/read_points.h>
-#include <apps/motion/convex_ring_2.h>
+#include <apps/formats/read_rings.h>
 #include <apps/motion/moments_2.h>
+#include <apps/motion/polygon_rings_2.h>
 #include <apps/motion/sampling_2.h>
 #include <apps/motion/voronoi_cell_2.h>
 #include <apps/report/svg_stipples.h>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <string>
 
 namespace annulus::inline v1::cli {
 
@@ -50,8 +53,8 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
         ->check(CLI::IsMember({"equal", "cells"}))
         ->capture_default_str();
     app.add_option("--domain", a.domain,
-                   "disc, square, or a file with the corners of a convex polygon in order\n"
-                   "(default: disc; the convex hull for --input)")
+                   "disc, square, box, or a file with the corners of a polygon in order, where a blank line begins\n"
+                   "another ring: holes, islands (default: disc; the convex hull for --input)")
         ->type_name("DOMAIN");
     app.add_option("--radius", a.radius,
                    "Radius of the disc, half side of the square (default 1; 2 pi for sin2, two rings)")
@@ -62,6 +65,14 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
                        ? std::string()
                        : "'" + word + "' is not a positive number";
         });
+    app.add_option("--size", a.size,
+                   "Of --domain box, 2D or 3D: the lengths of its edges from the origin on, Lx,Ly or Lx,Ly,Lz, or\n"
+                   "the 4 or 6 coordinates of its lower and its upper corner")
+        ->type_name("LIST");
+    app.add_flag("--keep-boundary", a.keep_boundary,
+                 "Points of the input on the border of a polygon stay there: at corners they rest, on\n"
+                 "edges they move along them")
+        ->needs(input);
     app.add_option("-i,--iterations", a.iterations, "Number of iterations")
         ->check(whole_number(0, 1'000'000'000))
         ->capture_default_str();
@@ -71,14 +82,20 @@ double Lloyd_scene::spacing() const { return std::sqrt(domain.area() / static_ca
 
 namespace {
 
-Domain_2 polygon_from(const std::string& file) {
-    const Point_file<2> corners = read_points<2>(file);
+Region_2 polygon_from(const std::string& file) {
+    const Ring_file rings = read_rings(file);
+    const char* expected = "the corners of a polygon in order, a blank line between rings";
     try {
-        return Domain_2::polygon(corners.points);
+        return Region_2::polygon(rings.corners.points, rings.begin);
+    } catch (const Edge_error& e) {
+        throw rings.corners.fault(e.corner(), Error_code::bad_input,
+                                  "the edge that begins here meets the one that begins in line " +
+                                      std::to_string(rings.corners.lines.at(e.other())) + ": " + e.what(),
+                                  "rings that neither cross nor touch themselves or each other");
     } catch (const Corner_error& e) {
-        throw corners.fault(e.corner(), Error_code::bad_input, e.what(), "the corners of a convex polygon, in order");
+        throw rings.corners.fault(e.corner(), Error_code::bad_input, e.what(), expected);
     } catch (const Error& e) {
-        throw corners.fault(0, Error_code::bad_input, e.what(), "the corners of a convex polygon, in order");
+        throw rings.corners.fault(0, Error_code::bad_input, e.what(), expected);
     }
 }
 
@@ -108,11 +125,18 @@ Domain_2 domain_around(const std::vector<Coordinates<2>>& p) {
 
 /// Throws Error(usage) for sin2 on a wide domain: the time for its moments is proportional to the area of the domain if
 /// cells span several rings.
-void require_rings_to_be_few(Density density, const Domain_2& domain) {
+void require_rings_to_be_few(Density density, const Region_2& domain) {
     const auto& box = domain.bounding_box();
     const double width = std::max(box.upper[0] - box.lower[0], box.upper[1] - box.lower[1]);
     if (density == Density::sin2 && width > 1000)
         throw Error(Error_code::usage, "--density sin2 takes domains up to 1000 wide; its rings are 3.1 apart");
+}
+
+Domain_2 rectangle(const Lloyd_arguments& a) {
+    if (dimension_of_size(a.size) != 2)
+        throw Error(Error_code::usage, "--size has a box in 3D, which only `annulus lloyd` itself takes");
+    const auto [low, high] = box_of_size<2>(a.size);
+    return Domain_2::polygon(std::vector<Coordinates<2>>{low, {high[0], low[1]}, high, {low[0], high[1]}});
 }
 
 /// The picture, if --density names one.
@@ -124,9 +148,9 @@ std::optional<Stippling> stippling_from(const Lloyd_arguments& a) {
             throw Error(Error_code::usage, "--dots is for a picture: --density FILE.png, .jpg, .pgm or .ppm");
         return {};
     }
-    if (!a.domain.empty() || a.radius != 0)
+    if (!a.domain.empty() || a.radius != 0 || !a.size.empty())
         throw Error(Error_code::usage,
-                    "with a picture for --density the domain is the picture: no --domain, no --radius");
+                    "with a picture for --density the domain is the picture: no --domain, --radius or --size");
     Gray_image image = read_gray_image(a.density);
     try {
         return Stippling(std::move(image), a.invert);
@@ -142,6 +166,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         throw Error(Error_code::usage, "say how many points with --points N, or name a file with --input FILE");
     std::optional<Stippling> stippling = stippling_from(a);
     const Density formula = stippling ? Density::one : parse_density(a.density);
+    if (!a.size.empty() && a.domain != "box") throw Error(Error_code::usage, "--size is for --domain box");
     const bool named = a.domain == "disc" || a.domain == "square";
     if (a.radius != 0 && !named && !(a.domain.empty() && a.input.empty()))
         throw Error(Error_code::usage, a.domain.empty()
@@ -149,7 +174,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
                                            : "--radius is for --domain disc or square, not for a polygon");
     if (!std::isfinite(a.radius)) throw Error(Error_code::usage, "--radius must be a finite number");
     const double radius = a.radius > 0 ? a.radius : formula == Density::sin2 ? 2 * std::numbers::pi : 1.0;
-    std::optional<Domain_2> domain;
+    std::optional<Region_2> domain;
     if (stippling) {
         const auto w = static_cast<double>(stippling->width()), h = static_cast<double>(stippling->height());
         domain = Domain_2::polygon(std::vector<Coordinates<2>>{{0, 0}, {w, 0}, {w, h}, {0, h}});
@@ -157,6 +182,8 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         domain = Domain_2::disc(radius);
     } else if (a.domain == "square") {
         domain = Domain_2::square(radius);
+    } else if (a.domain == "box") {
+        domain = rectangle(a);
     } else if (!a.domain.empty()) {
         domain = polygon_from(a.domain);
     }
@@ -184,7 +211,15 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
         require_rings_to_be_few(formula, *domain);
     }
     const Density_2 density = stippling ? Density_2(stippling->density()) : formula;
-    return {*domain, density, std::move(points), merged, input_of(file), std::move(stippling)};
+    Kept_border_2 border;
+    Input_record input = input_of(file);
+    if (a.keep_boundary) {
+        if (domain->hull().kind() == Domain_2::Kind::disc)
+            throw Error(Error_code::usage, "--keep-boundary is for polygons, not for a disc");
+        border = Kept_border_2(*domain, points);
+        if (border.count() == 0) input.warnings.push_back(a.input + ": no point is on the boundary that is to be kept");
+    }
+    return {*domain, density, std::move(points), merged, std::move(input), std::move(stippling), std::move(border)};
 }
 
 std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, const Moving_mesh_2& dt) {
@@ -194,7 +229,7 @@ std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, cons
     if (a.dots == "cells") {
         Stars_2 stars;
         read_stars(dt, stars);
-        Voronoi_cell_2 cell_of(scene.domain);
+        Voronoi_cell_2 cell_of(scene.domain.hull());  // a rectangle
         const Density_2 ink = picture.ink();
         radii.clear();
         for (std::size_t v = 0; v < points.size(); ++v) {

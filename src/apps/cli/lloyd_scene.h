@@ -25,6 +25,8 @@ struct Lloyd_arguments {
     std::string dots = "equal";
     std::string domain;
     double radius = 0;
+    std::string size{};  ///< of --domain box
+    bool keep_boundary = false;
     std::uint64_t iterations = 100;
 };
 
@@ -32,12 +34,13 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& arguments);
 
 /// Points, domain and density of Lloyd iterations, checked.
 struct Lloyd_scene {
-    Domain_2 domain;
+    Region_2 domain;
     Density_2 density;
     std::vector<Coordinates<2>> points;    ///< distinct, in the domain
     std::uint64_t merged = 0;              ///< duplicate points of the input that were merged
     Input_record input{};                  ///< how the input was interpreted
     std::optional<Stippling> stippling{};  ///< if the density is a picture
+    Kept_border_2 border{};                ///< vertices that stay on the border
     /// Mean spacing: the square root of the area per point, the unit of length of the paper's figures.
     [[nodiscard]] double spacing() const;
 };

@@ -2,21 +2,20 @@
 #include <apps/motion/convex_ring_2.h>
 
 #include <annulus/predicate/exact_sign.h>
+#include <apps/motion/ring_corners_2.h>
 #include <apps/motion/vector_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <string>
 
 namespace annulus::inline v1 {
 
 namespace {
 
-/// A corner and its index in the input list.
-struct Listed {
-    Coordinates<2> p;
-    std::size_t index;
-};
+using Listed = Listed_corner;
 using Ring = std::vector<Listed>;
 
 [[noreturn]] void fail(std::size_t corner, const std::string& what) {
@@ -27,45 +26,6 @@ int turn(const Listed& a, const Listed& b, const Listed& c) { return exact_orien
 
 /// A bound of the rounding of coordinates up to `scale`, and of distances computed from them.
 double slack_at(double scale) { return 4e-15 * scale; }
-
-/// The largest coordinate in magnitude.
-double scale_of(std::span<const Coordinates<2>> corners) {
-    double scale = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        for (const double c : corners[i]) {
-            if (!std::isfinite(c)) fail(i, "the coordinates of a polygon must be finite, which they are not");
-            scale = std::max(scale, std::abs(c));
-        }
-    return scale;
-}
-
-Ring without_repetitions(std::span<const Coordinates<2>> corners, double scale) {
-    const double least = 0x1p-60 * scale;
-    const auto repeats = [&](const Coordinates<2>& a, const Coordinates<2>& b) {
-        return std::abs(a[0] - b[0]) <= least && std::abs(a[1] - b[1]) <= least;
-    };
-    Ring ring;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        if (ring.empty() || !repeats(ring.back().p, corners[i]))
-            ring.push_back({{corners[i][0] + 0.0, corners[i][1] + 0.0}, i});  // -0 and 0 are one place
-    while (ring.size() > 1 && repeats(ring.back().p, ring.front().p)) ring.pop_back();
-    return ring;
-}
-
-void require_area(const Ring& ring, std::size_t given, double scale) {
-    if (ring.size() == 1 && given > 1)
-        throw Corner_error(0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) +
-                                  " are at one place");
-    if (given > 0 && !(scale >= 1e-100 && scale <= 1e100))
-        throw Corner_error(0, "the largest coordinate of a polygon must lie between 1e-100 and 1e100");
-    if (ring.size() < 3)
-        throw Corner_error(
-            0, "a polygon needs 3 corners that are not on a line; different ones here: " + std::to_string(ring.size()));
-    for (const Listed& c : ring)
-        if (turn(ring[0], ring[1], c) != 0) return;
-    throw Corner_error(
-        0, "a polygon needs 3 corners that are not on a line; all its " + std::to_string(given) + " are on one line");
-}
 
 /// Exact: a corner on the line of its neighbours is between them and is dropped, or the list turns back at it.
 Ring without_flat_corners(const Ring& ring) {
@@ -164,10 +124,8 @@ void require_one_round(const Ring& ring) {
 }  // namespace
 
 std::vector<Coordinates<2>> convex_ring(std::span<const Coordinates<2>> corners) {
-    const double scale = scale_of(corners);
-    Ring ring = without_repetitions(corners, scale);
-    require_area(ring, corners.size(), scale);
-    ring = without_flat_corners(ring);
+    const double scale = largest_coordinate(corners);
+    Ring ring = without_flat_corners(ring_corners(corners));
     const auto smaller = [](const Listed& a, const Listed& b) { return a.p < b.p; };
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), smaller), ring.end());
     // The smallest corner is one of the hull, so the list turns there as it does everywhere.

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/error.h>
 #include <annulus/types.h>
+#include <apps/motion/ring_corners_2.h>
 
-#include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace annulus::inline v1 {
-
-/// The error of a list of corners that is not a convex polygon, with the corner at which that shows.
-class Corner_error : public Error {
-  public:
-    Corner_error(std::size_t corner, const std::string& what) : Error(Error_code::bad_input, what), corner_(corner) {}
-    /// Its index in the list, from 0.
-    [[nodiscard]] std::size_t corner() const noexcept { return corner_; }
-
-  private:
-    std::size_t corner_;
-};
 
 /// The corners of the convex polygon that a list of points goes around once, counter-clockwise, the lexicographically
 /// smallest first: the same bits wherever the list begins, whichever way round it goes, and whether or not it repeats

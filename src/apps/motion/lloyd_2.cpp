@@ -4,11 +4,13 @@
 #include <annulus/error.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <apps/motion/moments_2.h>
+#include <apps/motion/region_cell_2.h>
 #include <apps/motion/voronoi_cell_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,18 @@ bool target_of(const Voronoi_cell_2& cell_of, const Cell_2& cell, const Coordina
     return domain.contains(found.place) && reach(cell) > 1e-12 * found.way;
 }
 
+/// The same in a domain that is not convex; `parts` are those of the cell in it.
+bool target_of(std::span<const Cell_2> parts, const Cell_2& cell, const Coordinates<2>& from, const Region_2& domain,
+               const Density_2& density, Target& found) {
+    const Moments_2 m = moments(density, cell.origin, parts);
+    if (!(m.mass > 0)) return false;
+    const Coordinates<2> offset{m.first[0] / m.mass, m.first[1] / m.mass};
+    found.place = {cell.origin[0] + offset[0], cell.origin[1] + offset[1]};
+    if (!domain.contains(found.place)) found.place = nearest_inside(parts, found.place);
+    found.way = std::hypot(found.place[0] - from[0], found.place[1] - from[1]);
+    return domain.contains(found.place) && reach(cell) > 1e-12 * found.way;
+}
+
 void require_sizes(std::size_t lists, std::size_t positions, std::size_t targets) {
     if (positions != lists || targets != lists)
         throw Error(Error_code::wrong_size, "Lloyd needs a position and a target for every vertex");
@@ -97,9 +111,9 @@ bool centroid(const Density_2& density, const Cell_2& cell, Coordinates<2>& offs
     return true;
 }
 
-Lloyd_2::Lloyd_2(Domain_2 domain, Density_2 density, int threads)
-    : domain_(std::move(domain)), density_(std::move(density)), threads_(threads) {
-    require_density(density_, domain_);
+Lloyd_2::Lloyd_2(Region_2 domain, Density_2 density, int threads, Kept_border_2 border)
+    : domain_(std::move(domain)), density_(std::move(density)), threads_(threads), border_(std::move(border)) {
+    require_density(density_, domain_.hull());
     if (threads < 1) throw Error(Error_code::usage, "Lloyd needs at least 1 thread");
 }
 
@@ -111,7 +125,9 @@ Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>
     const std::size_t n = lists.size();
     std::vector<Partial> partial((n + run_length - 1) / run_length);
     for_each_run(n, run_length, threads_, [&](std::size_t first, std::size_t last) {
-        Voronoi_cell_2 cell_of(domain_);
+        Voronoi_cell_2 cell_of(domain_.hull());
+        std::optional<Region_cell_2> parts_of;
+        if (!domain_.convex()) parts_of.emplace(domain_);
         Partial sums;
         for (std::size_t v = first; v < last; ++v) {
             const auto around = lists.of(v);
@@ -123,7 +139,12 @@ Lloyd_step Lloyd_2::step_over(const Lists& lists, std::span<const Coordinates<2>
             if (!remembered(v)) {
                 Target found;
                 const Cell_2& cell = cell_of(position[v], around, position, is_cyclic(lists, v));
-                const bool goes = target_of(cell_of, cell, position[v], domain_, density_, found);
+                const bool goes = parts_of ? target_of((*parts_of)(cell), cell, position[v], domain_, density_, found)
+                                           : target_of(cell_of, cell, position[v], domain_.hull(), density_, found);
+                if (goes && border_.has(v)) {
+                    found.place = border_.along(v, position[v], found.place);
+                    found.way = std::hypot(found.place[0] - position[v][0], found.place[1] - position[v][1]);
+                }
                 target[v] = goes ? found.place : position[v];
                 way[v] = goes ? found.way : -1;
             }

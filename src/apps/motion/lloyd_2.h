@@ -5,7 +5,8 @@
 #include <annulus/types.h>
 #include <apps/motion/cell_2.h>
 #include <apps/motion/density_2.h>
-#include <apps/motion/domain_2.h>
+#include <apps/motion/kept_border_2.h>
+#include <apps/motion/region_2.h>
 #include <apps/motion/stars_2.h>
 
 #include <cstddef>
@@ -33,22 +34,25 @@ class Lloyd_memory {
 };
 
 /// Lloyd's iteration in 2D (section 4.1 of the paper): the target of every site is the centroid of its Voronoi cell,
-/// cut to a convex domain, under a density. Immutable; `step` may be called from several threads at once.
+/// cut to a domain, under a density. In a domain that is not convex, where that is outside of the domain, it is the
+/// nearest point of the cut cell (`nearest_inside`): of all positions there, the sum of squared distances is least at
+/// that one. Immutable; `step` may be called from several threads at once.
 class Lloyd_2 {
   public:
     /// Throws what `require_density` does. `threads` >= 1, else Error(usage): the number that work on a step, or fewer
-    /// where the machine has fewer.
-    Lloyd_2(Domain_2 domain, Density_2 density, int threads = 1);
+    /// where the machine has fewer. The targets of the vertices of `border`, which is that of the domain, are on their
+    /// edges (`Kept_border_2::along`).
+    Lloyd_2(Region_2 domain, Density_2 density, int threads = 1, Kept_border_2 border = {});
 
     /// Sets target[v] to the centroid of (Voronoi cell of v, cut to the domain) for every v. The vertices with an empty
     /// list in `neighbours`, unless v is the only one, are free: they keep their position and are not counted.
     ///
     /// Preconditions: `neighbours` are those of a Delaunay triangulation of `position`; positions are finite and
     /// differ; they may be outside of the domain. A list that is not that of a Delaunay triangulation still gives a
-    /// target in the domain, or none. A target is in the domain up to `Domain_2::tolerance()`, and in the cell up to a
+    /// target in the domain, or none. A target is in the domain up to its `tolerance()`, and in the cell up to a
     /// rounding of the coordinates. Cells being disjoint, targets of different vertices differ, as long as cells are
-    /// larger than a rounding. Error of a target: that of `moments` and of `Voronoi_cell_2`, and its rounding to
-    /// double.
+    /// larger than a rounding. Error of a target: that of `moments`, `Voronoi_cell_2` and `Region_cell_2`, and its
+    /// rounding to double.
     ///
     /// The result is the same bit for bit whatever the number of threads. Expected O(n); no allocation per vertex.
     /// Throws Error(wrong_size) unless the three have the same size. `target` must not overlap `position`.
@@ -58,7 +62,7 @@ class Lloyd_2 {
     Lloyd_step step(const Stars_2& stars, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
                     Lloyd_memory& memory) const;
 
-    [[nodiscard]] const Domain_2& domain() const { return domain_; }
+    [[nodiscard]] const Region_2& domain() const { return domain_; }
     [[nodiscard]] const Density_2& density() const { return density_; }
     [[nodiscard]] int threads() const { return threads_; }
 
@@ -69,9 +73,10 @@ class Lloyd_2 {
     Lloyd_step step_over(const Lists& lists, std::span<const Coordinates<2>> position, std::span<Coordinates<2>> target,
                          std::vector<double>& way, Remembered remembered) const;
 
-    Domain_2 domain_;
+    Region_2 domain_;
     Density_2 density_;
     int threads_;
+    Kept_border_2 border_;
 };
 
 /// The centroid of a cell under a density, as an offset from the cell's origin; false when the cell has no mass. A

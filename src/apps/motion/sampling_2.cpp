@@ -9,6 +9,7 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -33,34 +34,35 @@ class Bits {
 /// Uniform points of a domain.
 class Uniform {
   public:
-    explicit Uniform(const Domain_2& domain) : domain_(domain) {
-        const auto corners = domain.corners();
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-            const Coordinates<2> a = side(i), b = side(i + 1);
-            area_up_to_.push_back((area_up_to_.empty() ? 0 : area_up_to_.back()) + (a[0] * b[1] - a[1] * b[0]));
-        }
+    explicit Uniform(const Region_2& domain) : domain_(domain) {
+        const auto corners = domain.hull().corners();
+        if (domain.convex())
+            for (std::size_t i = 1; i + 1 < corners.size(); ++i) add(corners[0], corners[i], corners[i + 1]);
+        else
+            for (const Triangle_2& t : domain.triangles().all()) add(t.corner[0], t.corner[1], t.corner[2]);
     }
 
     /// A point that is in the domain up to rounding; for a disc it may be outside.
     Coordinates<2> point(Bits& bits) const {
         double s = bits.unit(), t = bits.unit();
-        if (domain_.kind() == Domain_2::Kind::disc)
-            return {(2 * s - 1) * domain_.radius(), (2 * t - 1) * domain_.radius()};
+        if (domain_.hull().kind() == Domain_2::Kind::disc)
+            return {(2 * s - 1) * domain_.hull().radius(), (2 * t - 1) * domain_.hull().radius()};
         const auto found = std::upper_bound(area_up_to_.begin(), area_up_to_.end(), bits.unit() * area_up_to_.back());
         const auto at = std::min(static_cast<std::size_t>(found - area_up_to_.begin()), area_up_to_.size() - 1);
         if (s + t > 1) s = 1 - s, t = 1 - t;  // fold the parallelogram onto the triangle
-        const Coordinates<2>& p = domain_.corners()[0];
-        const Coordinates<2> a = side(at + 1), b = side(at + 2);
+        const auto& [p, a, b] = triangle_[at];
         return {p[0] + s * a[0] + t * b[0], p[1] + s * a[1] + t * b[1]};
     }
 
   private:
-    Coordinates<2> side(std::size_t i) const {
-        const auto corners = domain_.corners();
-        return {corners[i][0] - corners[0][0], corners[i][1] - corners[0][1]};
+    void add(const Coordinates<2>& p, const Coordinates<2>& q, const Coordinates<2>& r) {
+        const Coordinates<2> a{q[0] - p[0], q[1] - p[1]}, b{r[0] - p[0], r[1] - p[1]};
+        triangle_.push_back({p, a, b});
+        area_up_to_.push_back((area_up_to_.empty() ? 0 : area_up_to_.back()) + (a[0] * b[1] - a[1] * b[0]));
     }
 
-    const Domain_2& domain_;
+    const Region_2& domain_;
+    std::vector<std::array<Coordinates<2>, 3>> triangle_;  ///< a corner, and two sides from there
     std::vector<double> area_up_to_;
 };
 
@@ -117,10 +119,10 @@ class Of_image {
 
 }  // namespace
 
-std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& density, std::size_t n,
+std::vector<Coordinates<2>> sample(const Region_2& domain, const Density_2& density, std::size_t n,
                                    std::uint64_t seed) {
-    require_density(density, domain);
-    const double bound = density_upper_bound(density, domain.extent());
+    require_density(density, domain.hull());
+    const double bound = density_upper_bound(density, domain.hull().extent());
     const Uniform uniform(domain);
     std::optional<Of_image> of_image;
     if (const auto* image = std::get_if<Image_density>(&density)) of_image.emplace(*image);

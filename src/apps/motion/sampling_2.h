@@ -3,7 +3,7 @@
 
 #include <annulus/types.h>
 #include <apps/motion/density_2.h>
-#include <apps/motion/domain_2.h>
+#include <apps/motion/region_2.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace annulus::inline v1 {
 ///
 /// O(n) expected, and for an image O(pixels). Throws what `require_density` does. Throws Error(bad_input) when a
 /// million tries in a row give no new point (fewer than n doubles there).
-[[nodiscard]] std::vector<Coordinates<2>> sample(const Domain_2& domain, const Density_2& density, std::size_t n,
+[[nodiscard]] std::vector<Coordinates<2>> sample(const Region_2& domain, const Density_2& density, std::size_t n,
                                                  std::uint64_t seed);
 
 }  // namespace annulus::inline v1
