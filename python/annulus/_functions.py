@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import os
 import typing
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _arguments, _core
+from . import _arguments, _core, _lloyd
 from ._moving_delaunay import options_of
 from ._queries import AuditResult, audit_result_of
 
@@ -115,9 +115,11 @@ def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:
     return _core.counterexample(_arguments.number("delta", delta))
 
 
-def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one",
-          domain: str | ArrayLike | None = None, radius: float | None = None, strategy: str = "auto",
-          tolerance: str = "certified", merge_duplicates: bool = False, threads: int = 1, seed: int = 0,
+def lloyd(points: int | ArrayLike, iterations: int = 100, *,
+          density: str | ArrayLike | Callable[[NDArray[np.float64]], ArrayLike] = "one",
+          domain: str | ArrayLike | Sequence[ArrayLike] | None = None, radius: float | None = None,
+          strategy: str = "auto", tolerance: str = "certified", merge_duplicates: bool = False, threads: int = 1,
+          seed: int = 0,
           callback: Callable[[int, float, float], object] | None = None) -> LloydResult:
     """Lloyd's iterations in 2D: in each iteration every point moves to the centroid of its Voronoi cell.
 
@@ -127,14 +129,21 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
         The number of points to sample with the density, or their positions: at least three, in the domain.
     iterations : int, optional
         Number of iterations.
-    density : str, optional
+    density : str, array_like or callable, optional
         The density of the centroids: ``one``, ``x2+y2``, ``x2`` or ``sin2`` (of the distance from the origin, in
-        radians).
-    domain : str or array_like, shape (m, 2), optional
-        The domain to which cells are clipped: ``disc``, ``square`` or the corners of a convex polygon, in
-        clockwise or counter-clockwise order. The first corner may be repeated at the end, other corners may be
-        repeated as well, and corners may lie on edges: the result is the same, bit for bit. By default, the disc
-        for sampled points, and the convex hull for given ones.
+        radians). Or an array of shape (rows, columns), values of 0 or more in the middles of the pixels of the
+        domain's bounding box, the first row on top (the largest y), as in a picture. In between they are interpolated
+        bilinearly, and constant in the half pixel along the border. Values are rounded to 2**-24 of the largest one.
+        Integrals are exact up to rounding. Or a function of an array (m, 2) of positions that returns m values: it is
+        called once, on a grid of 1024 pixels along the longer side of the box, which then is such an array. Arrays
+        and functions are for polygons, not for a disc.
+    domain : str, array_like of shape (m, 2), or a sequence of these, optional
+        The domain to which cells are clipped: ``disc``, ``square``, the corners of a polygon in clockwise or
+        counter-clockwise order, or a list of rings of a polygon: what an odd number of them encloses belongs to it. The
+        first corner of a ring may be repeated at the end, other corners may be repeated as well, and corners may lie on
+        edges: the result is the same, bit for bit, wherever a list begins. Edges must meet at their common corners
+        only. Where a centroid is outside of a domain that is not convex, its point moves to the nearest point of its
+        cell. By default, the disc for sampled points, and the convex hull for given ones.
     radius : float, optional
         Radius of the disc, or half the side of the square. By default 1, or 2 pi for ``sin2``.
     strategy, tolerance, merge_duplicates, threads, seed
@@ -162,13 +171,13 @@ def lloyd(points: int | ArrayLike, iterations: int = 100, *, density: str = "one
     """
     options = _arguments.options(strategy, tolerance, merge_duplicates, threads, False, seed)
     how_many = not isinstance(points, (np.ndarray, list, tuple)) and hasattr(type(points), "__index__")
+    size = None if radius is None else _arguments.length("radius", radius)
+    corners, begin = _lloyd.rings_of(domain)
     return LloydResult(*_core.lloyd(
         _arguments.whole("points", points, 3, 100_000_000) if how_many else points,
-        _arguments.choice("density", density, _arguments.DENSITIES),
-        _arguments.choice("domain", domain, _arguments.DOMAINS) if isinstance(domain, str) else domain,
-        None if radius is None else _arguments.length("radius", radius), _arguments.iterations_of(iterations),
-        options_of(options),
-        options["seed"], _arguments.function("callback", callback)))
+        _lloyd.density_of(density, corners, None if how_many else points, size), corners, begin, size,
+        _arguments.iterations_of(iterations), options_of(options), options["seed"],
+        _arguments.function("callback", callback)))
 
 
 def nodt(surface: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike], vertices: int, iterations: int = 100, *,

@@ -81,10 +81,10 @@ else:
     PLAIN |= {"plot"}
 
 # What is right where it stands, and so may be refused for another reason: no indices are all; a class can be called;
-# a name of a file is said in full.
+# what it says then is its own; a name of a file is said in full.
 NO_FAULT = {("move some", "indices"): {"None"}, ("lloyd", "callback"): {"type"},
-            ("lloyd of points", "callback"): {"type"}, ("nodt", "callback"): {"type"},
-            ("nodt", "surface"): {"long str"}, ("analyze", "source"): {"long str"},
+            ("lloyd of points", "callback"): {"type"}, ("lloyd of points", "density"): {"type"},
+            ("nodt", "callback"): {"type"}, ("nodt", "surface"): {"long str"}, ("analyze", "source"): {"long str"},
             ("analyze in a box", "source"): {"long str"}}
 # Other names for what an argument is.
 ALSO = {"domain": "polygon", "indices": "index", "source": "frame"}
@@ -140,8 +140,8 @@ def test_every_wrong_value_gets_a_sentence(case, parameter):
 
 
 @pytest.mark.parametrize(("case", "arguments", "words"), [
-    ("lloyd", {"density": X},
-     "density must be a str, one of one, x2+y2, x2 or sin2; not an array of float64, of shape (30, 2)"),
+    ("lloyd", {"density": "2"}, "density must be one of one, x2+y2, x2 or sin2; not '2'"),
+    ("lloyd", {"density": X}, "a density that is an array or a function needs a polygon as domain, not a disc"),
     ("lloyd", {"iterations": 2.0}, "iterations must be a whole number, not 2.0 (float)"),
     ("lloyd", {"points": 2.5}, "points must be an array, not 2.5 (float)"),
     ("MovingDelaunay", {"threads": None}, "threads must be a whole number, not None"),

@@ -162,11 +162,8 @@ def test_a_closed_ring_is_the_open_one(corners):
 
 
 def test_what_is_wrong_with_a_domain_is_said_by_corner():
-    for corners, words in (([(0, 0), (0, 0), (1, 0), (2, 0), (1, 0.5), (2, 2), (0, 0)],
-                            "counter-clockwise and turns right at corner 4"),
-                           ([(2, 2), (1, 0.5), (2, 0), (0, 0)], "clockwise and turns left at corner 1"),
-                           ([(0, 0)] * 4, "at one place"),
-                           ([(0, 0), (2, 0), (1, 0), (1, 1)], "go back on itself, as it does at corner 1"),
+    for corners, words in (([(0, 0)] * 4, "at one place"),
+                           ([(0, 0), (2, 0), (1, 0), (1, 1)], "corners 0 and 1, counted from 0, meet elsewhere"),
                            ([(0, 0), (1, 1), (2, 2), (0, 0)], "on one line")):
         with pytest.raises(annulus.Error, match=words) as e:
             annulus.lloyd(20, 1, domain=corners)

@@ -237,3 +237,26 @@ TEST_CASE("squares of ink lose nothing of pictures of 8 bits, and little of thos
         REQUIRE((got == 0) == (i == 0));
     }
 }
+
+TEST_CASE("an image that is laid over a rectangle is stretched", "[motion][image]") {
+    // Density 1 to the left and 3 to the right, around pixels of 2 by 0.5; the rectangle is [-1, 7] x [2, 2.5].
+    const Image_density image(4, 1, std::vector<std::uint32_t>{1, 1, 3, 3});
+    const Density_2 density = Placed_image{image, {-1, 2}, {2, 0.5}};
+    CHECK(density_at(density, {0, 2.25}) == 1);
+    CHECK(density_at(density, {3, 2.1}) == 2);
+    CHECK(density_at(density, {6.5, 2.4}) == 3);
+    const Domain_2 rectangle = Domain_2::polygon(Points{{-1, 2}, {7, 2}, {7, 2.5}, {-1, 2.5}});
+    const Cell_2 whole = rectangle.whole({1, 2.25});
+    const Moments_2 m = moments(density, whole.origin, whole.corners);
+    // Along x: 1 up to 2, then from 1 to 3 up to 4, then 3.
+    CHECK(m.mass == Approx(0.5 * (3 + 4 + 9)).epsilon(1e-14));
+    CHECK(m.first[0] == Approx(0.5 * (3 * 0.5 + 2 * (2 * 3 + 1.0 / 3) + 9 * 5.5) - m.mass).epsilon(1e-14));
+    CHECK(std::abs(m.first[1]) < 1e-14);
+    std::size_t right = 0;
+    for (const auto& p : sample(rectangle, density, 4000, 1)) {
+        CHECK(rectangle.contains(p));
+        right += p[0] > 3;
+    }
+    CHECK(std::abs(static_cast<double>(right) / 4000 - 11.5 / 16) < 0.03);
+    CHECK_THROWS_AS(Lloyd_2(Domain_2::disc(1), density), Error);
+}

@@ -54,7 +54,8 @@ class Borders(DomainTest):
                 continue
             k = edge[v]
             self.assertEqual(found[v][k], points[v][k])
-            low, high = {1: (0, 4), 2: (0, Fraction(3, 2)), 3: (Fraction(1, 4), Fraction(5, 4)), 4: (Fraction(3, 2), 4)}[v]
+            low, high = {1: (0, 4), 2: (0, Fraction(3, 2)), 3: (Fraction(1, 4), Fraction(5, 4)),
+                         4: (Fraction(3, 2), 4)}[v]
             at = sites[v][1 - k]
             self.assert_near([found[v][1 - k]], [min(max(centroid[1 - k], (at + low) / 2), (at + high) / 2)], 1e-13)
 

@@ -42,13 +42,19 @@ double density_at(Density density, const Coordinates<2>& p) {
 double density_at(const Density_2& density, const Coordinates<2>& p) {
     if (const auto* formula = std::get_if<Density>(&density)) return density_at(*formula, p);
     if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth->at(p);
+    if (const auto* placed = std::get_if<Placed_image>(&density)) return placed->image.at(placed->in_image(p));
     return std::get<Image_density>(density).at(p);
+}
+
+const Image_density* image_of(const Density_2& density) {
+    if (const auto* placed = std::get_if<Placed_image>(&density)) return &placed->image;
+    return std::get_if<Image_density>(&density);
 }
 
 double density_upper_bound(const Density_2& density, const Extent_2& extent) {
     if (const auto* formula = std::get_if<Density>(&density)) return density_upper_bound(*formula, extent);
     if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth->most;
-    return std::get<Image_density>(density).most();
+    return image_of(density)->most();
 }
 
 double density_upper_bound(Density density, const Extent_2& extent) {

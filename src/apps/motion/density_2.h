@@ -3,6 +3,7 @@
 
 #include <annulus/types.h>
 #include <apps/motion/image_density.h>
+#include <apps/motion/placed_image.h>
 
 #include <functional>
 #include <string_view>
@@ -38,11 +39,14 @@ struct Smooth_density {
 };
 
 /// A density by which cells are weighted.
-using Density_2 = std::variant<Density, Smooth_density, Image_density>;
+using Density_2 = std::variant<Density, Smooth_density, Image_density, Placed_image>;
 
 /// The density at p, at least 0. Error: a few roundings of the value, plus, for sin2, of |p| in the argument.
 [[nodiscard]] double density_at(Density density, const Coordinates<2>& p);
 [[nodiscard]] double density_at(const Density_2& density, const Coordinates<2>& p);
+
+/// The image of a density that has one, else nullptr.
+[[nodiscard]] const Image_density* image_of(const Density_2& density);
 
 /// The extent of a region: all that a bound of a density over it needs.
 struct Extent_2 {

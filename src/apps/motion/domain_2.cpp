@@ -133,6 +133,8 @@ void Domain_2::clip(Cell_2& cell, std::vector<Corner_2>& scratch) const {
 }
 
 void require_density(const Density_2& density, const Domain_2& domain) {
+    if (std::get_if<Placed_image>(&density) != nullptr && domain.kind() != Domain_2::Kind::polygon)
+        throw Error(Error_code::usage, "a density that is an array or a function is for polygons, not for a disc");
     const auto* image = std::get_if<Image_density>(&density);
     if (image == nullptr) return;
     const auto& box = domain.bounding_box();

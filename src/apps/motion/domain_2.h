@@ -79,7 +79,7 @@ class Domain_2 {
 };
 
 /// Throws Error(usage) unless the density suits the domain: for an Image_density a polygon inside the image's
-/// rectangle.
+/// rectangle, for a Placed_image a polygon.
 void require_density(const Density_2& density, const Domain_2& domain);
 
 }  // namespace annulus::inline v1

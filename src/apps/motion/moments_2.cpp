@@ -100,6 +100,7 @@ Moments_2 moments(const Density_2& density, const Coordinates<2>& origin, std::s
     if (const auto* formula = std::get_if<Density>(&density)) return moments(*formula, origin, corners);
     if (corners.size() < 2) return {};
     if (const auto* smooth = std::get_if<Smooth_density>(&density)) return smooth_moments(*smooth, origin, corners);
+    if (const auto* placed = std::get_if<Placed_image>(&density)) return placed_moments(*placed, origin, corners);
     return image_moments(std::get<Image_density>(density), origin, corners);
 }
 

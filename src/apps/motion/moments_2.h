@@ -32,7 +32,9 @@ struct Moments_2 {
 /// * Image_density: 1e-12 for cells no smaller than a pixel, and that times the pixel over h for smaller ones;
 ///   straight edges only. O(rows and columns of pixels that the edges cross). See moments_image.h.
 ///
-/// No allocation. Thread-safe.
+/// * Placed_image: the same for the region as it is in the image.
+///
+/// No allocation, but for a Placed_image and more than 32 corners. Thread-safe.
 [[nodiscard]] Moments_2 moments(Density density, const Coordinates<2>& origin, std::span<const Corner_2> corners);
 [[nodiscard]] Moments_2 moments(const Density_2& density, const Coordinates<2>& origin,
                                 std::span<const Corner_2> corners);

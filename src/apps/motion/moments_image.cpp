@@ -3,6 +3,8 @@
 
 #include <apps/motion/gauss_legendre.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -113,6 +115,18 @@ Moments_2 image_moments(const Image_density& density, const Coordinates<2>& orig
         a = &b;
     }
     return walk.moments();
+}
+
+Moments_2 placed_moments(const Placed_image& density, const Coordinates<2>& origin, std::span<const Corner_2> corners) {
+    const Coordinates<2>& pixel = density.pixel;
+    boost::container::small_vector<Corner_2, 32> scaled;
+    for (const Corner_2& corner : corners)
+        scaled.push_back({{corner.offset[0] / pixel[0], corner.offset[1] / pixel[1]}, false});
+    Moments_2 m = image_moments(density.image, density.in_image(origin), {scaled.data(), scaled.size()});
+    const double area = pixel[0] * pixel[1];
+    m.mass *= area;
+    for (std::size_t k = 0; k < 2; ++k) m.first[k] *= area * pixel[k];
+    return m;
 }
 
 }  // namespace annulus::inline v1

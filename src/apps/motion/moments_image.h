@@ -4,6 +4,7 @@
 #include <apps/motion/cell_2.h>
 #include <apps/motion/image_density.h>
 #include <apps/motion/moments_2.h>
+#include <apps/motion/placed_image.h>
 
 #include <span>
 
@@ -20,5 +21,9 @@ namespace annulus::inline v1 {
 /// (they are taken for their chords).
 [[nodiscard]] Moments_2 image_moments(const Image_density& density, const Coordinates<2>& origin,
                                       std::span<const Corner_2> corners);
+
+/// Moments of a polygon under an image that is laid over a rectangle: those of the polygon as it is in the image.
+[[nodiscard]] Moments_2 placed_moments(const Placed_image& density, const Coordinates<2>& origin,
+                                       std::span<const Corner_2> corners);
 
 }  // namespace annulus::inline v1

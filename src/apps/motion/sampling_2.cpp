@@ -125,7 +125,8 @@ std::vector<Coordinates<2>> sample(const Region_2& domain, const Density_2& dens
     const double bound = density_upper_bound(density, domain.hull().extent());
     const Uniform uniform(domain);
     std::optional<Of_image> of_image;
-    if (const auto* image = std::get_if<Image_density>(&density)) of_image.emplace(*image);
+    if (const Image_density* image = image_of(density)) of_image.emplace(*image);
+    const auto* placed = std::get_if<Placed_image>(&density);
     Bits bits(seed);
     std::vector<Coordinates<2>> points;
     points.reserve(n);
@@ -133,6 +134,7 @@ std::vector<Coordinates<2>> sample(const Region_2& domain, const Density_2& dens
     int failures = 0;
     while (points.size() < n) {
         Coordinates<2> p = of_image ? of_image->point(bits) : uniform.point(bits);
+        if (placed != nullptr) p = placed->from_image(p);
         p = {p[0] + 0.0, p[1] + 0.0};  // -0 equals 0 but hashes apart
         const bool kept = (of_image || bits.unit() * bound < density_at(density, p)) && domain.contains(p);
         if (kept && seen.insert(p).second) {
