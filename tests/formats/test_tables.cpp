@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <thread>
@@ -205,6 +206,12 @@ TEST_CASE("tables: frames may be written as fractions, and be times", "[io][tabl
     CHECK(numbers("-1,1,0,0\n0,1,0,0\n1,1,0,0\n") == Numbers{0, 1, 2});
     CHECK(numbers("0.04,1,0,0\n0,1,0,0\n-0.0,2,0,1\n") == Numbers{0, 1});
     CHECK(numbers("1e300,1,0,0\n") == Numbers{0});
+    for (const char* rows : {"0,1,0,0\n0.5,1,0,0\n2,1,0,0\n", "0.5,1,0,0\n2,1,0,0\n-0.0,2,0,1\n"}) {
+        std::vector<double> times;
+        for (const Frame& frame : accept(std::string("frame,id,x,y\n") + rows).frames) times.push_back(frame.time);
+        CHECK(times == std::vector<double>{0, 0.5, 2});
+    }
+    CHECK(std::isnan(accept("frame,id,x,y\n0.0,1,0,0\n").frames[0].time));
     CHECK(accept("frame,id,x,y\n0.04,1,0,0\n0,1,0,0\n").column("frame") ==
           "column 1 (frame), rows sorted by it, times numbered from 0");
     refuse("frame,id,x,y\n18446744073709551616,1,0,0\n", 2, "the frame is too large");

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/frame_change.h>
 #include <apps/cli/replay_scene.h>
-#include <apps/formats/decimal.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace annulus::inline v1::cli {
@@ -53,34 +50,13 @@ void add_box(CLI::App& app, Replay_arguments& a) {
         ->type_name("LIST");
 }
 
-namespace {
-
-/// 2 if z is the same everywhere; if the file cannot be read twice, in its first frame with points.
-int dimension_of(const Replay_arguments& a, const Opened_motion& motion) {
-    if (!motion.reader.has_z()) return 2;
-    std::error_code ignored;
-    if (!is_standard_input(a.file) && std::filesystem::is_regular_file(a.file, ignored))
-        return is_flat(a.file, a.motion()) ? 2 : 3;
-    const auto& p = motion.first.position;
-    return std::all_of(p.begin(), p.end(), [&](const auto& q) { return q[2] == p.front()[2]; }) ? 2 : 3;
-}
-
-}  // namespace
-
 Opened_motion open_motion(const Replay_arguments& a) {
-    Opened_motion motion{Motion_reader(a.file, a.motion())};
-    while (motion.reader.next(motion.first) && motion.first.id.empty()) motion.empty.push_back(motion.first.number);
+    Opened_motion motion{{}, Motion_reader(a.file, a.motion())};
+    static_cast<Motion_start&>(motion) = start_motion(motion.reader, a.file, a.motion(), a.dimension);
     if (a.dimension == 3 && !motion.reader.has_z())
         throw Input_error(Error_code::bad_input, motion.reader.name(), 0, "points have no z",
                           "a third coordinate for --dim 3");
-    motion.dimension = a.dimension != 0 ? a.dimension : dimension_of(a, motion);
-    if (motion.dimension == 2 && motion.reader.has_z()) {
-        motion.why = "--dim 2 drops z";
-        if (a.dimension == 0) {
-            motion.why = "z is the same everywhere: ";
-            append_decimal(motion.why, motion.first.position.front()[2]);
-        }
-    }
+    if (a.dimension == 2 && motion.reader.has_z()) motion.why = "--dim 2 drops z";
     motion.periodic =
         !a.box.empty() || (motion.first.box && is_periodic(*motion.first.box, motion.dimension, motion.reader.name()));
     return motion;

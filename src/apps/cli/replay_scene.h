@@ -6,7 +6,7 @@
 #include <apps/cli/frame_box.h>
 #include <apps/cli/input.h>
 #include <apps/formats/frame_points.h>
-#include <apps/formats/motion_reader.h>
+#include <apps/formats/motion_start.h>
 
 #include <deque>
 #include <optional>
@@ -38,13 +38,9 @@ void add_replay(CLI::App& app, Replay_arguments& arguments);
 void add_box(CLI::App& app, Replay_arguments& arguments);
 
 /// A motion whose first frames, up to one with points, have been read to find its dimension.
-struct Opened_motion {
+struct Opened_motion : Motion_start {
     Motion_reader reader;
-    std::vector<std::uint64_t> empty{};  ///< numbers of the frames without points that come first
-    Frame first{};
-    int dimension = 2;
-    std::string why{};      ///< why points with a z are a 2D motion: "--dim 2 drops z"
-    bool periodic = false;  ///< in all these dimensions
+    bool periodic = false;  ///< in all its dimensions
 
     /// How the file was interpreted, up to where it has been read.
     [[nodiscard]] Input_record input() const;

@@ -13,6 +13,7 @@ void Raw_frame::clear() {
     points.has_z = false;
     id.clear();
     number = line = 0;
+    time = no_time;
     ids_are_places = false;
     box.reset();
 }

@@ -9,7 +9,7 @@
 #include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
 #include <apps/formats/xyz_guess.h>
-#include <apps/motion/file_box.h>
+#include <apps/motion/recorded_motion.h>
 
 #include <array>
 #include <cstdint>
@@ -26,6 +26,7 @@ struct Raw_frame {
     Raw_points points;
     std::vector<std::uint64_t> id;  ///< of each point, in the order of the file; empty where no ids were requested
     std::uint64_t number = 0;       ///< the frame's number in the file, or its position, from 0
+    double time = no_time;          ///< in a table that has times in place of numbers
     std::uint64_t line = 0;         ///< where it begins
     bool ids_are_places = false;    ///< the file has no ids
     std::optional<File_box> box{};  ///< where boxes are taken

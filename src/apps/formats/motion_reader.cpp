@@ -36,6 +36,7 @@ void Motion_reader::require_same_kind() {
 /// none is allocated.
 void Motion_reader::sort_by_id(Frame& frame) {
     frame.number = raw_.number;
+    frame.time = raw_.time;
     frame.box = raw_.box;
     if (std::adjacent_find(raw_.id.begin(), raw_.id.end(), std::greater_equal<>()) == raw_.id.end()) {
         frame.id.swap(raw_.id);
@@ -77,6 +78,7 @@ bool Motion_reader::fills_gap(Frame& frame) {
                  ? "frame " + std::to_string(*last_ + *stride_) + ", or --absent-frames empty or skip"
                  : "the first two frames of standard input to be no further apart, or --absent-frames skip");
     frame.number = *last_ + *stride_;
+    frame.time = no_time;
     frame.box.reset();
     frame.id.clear();
     frame.position.clear();

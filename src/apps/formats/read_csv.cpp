@@ -145,6 +145,7 @@ void Csv_frames::read_in_order(Raw_frame& frame) {
     if (has_row_ && value_ < value && options_.in_order)
         reader_.fail("frame " + text_of(value_) + " after frame " + text_of(value), "frames in order");
     frame.number = number_of(value, frame.line);
+    if (*has_times_) frame.time = value.time;
     if (frame.points.points.size() >= 3 && integers[0] && !integers[1] && !integers[2])
         note(frame.line, x_may_be_an_id);
 }
@@ -153,6 +154,7 @@ void Csv_frames::read_sorted(Raw_frame& frame) {
     const Row& first = sorted_[next_sorted_];
     frame.line = first.line;
     frame.number = number_of(first.frame, first.line);
+    if (*has_times_) frame.time = first.frame.time;
     while (next_sorted_ < sorted_.size() && sorted_[next_sorted_].frame == first.frame)
         append(sorted_[next_sorted_++], frame);
     has_row_ = next_sorted_ < sorted_.size();

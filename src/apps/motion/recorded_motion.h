@@ -5,15 +5,20 @@
 #include <apps/motion/file_box.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace annulus::inline v1 {
 
+/// The time of a frame that has none, NaN.
+inline constexpr double no_time = std::numeric_limits<double>::quiet_NaN();
+
 /// The positions of the points of one time step, if there are any. Ids differ; coordinates are finite.
 struct Frame {
     std::uint64_t number = 0;       ///< the number in the file, or the position in it, from 0
+    double time = no_time;          ///< in a table that has times in place of numbers of frames
     std::vector<std::uint64_t> id;  ///< ascending
     std::vector<Coordinates<3>> position;
     std::vector<std::uint64_t> line;  ///< of each point in the file, from 1
