@@ -18,7 +18,7 @@ from ._analyze import analyze
 from ._batch import MovingDelaunayBatch
 from ._core import MoveResult, MoveStatistics
 from ._core import version as __version__
-from ._error import BatchError, Error, OpenBoundariesWarning
+from ._error import BatchError, Error, OpenBoundariesWarning, TableWarning
 from ._frame_result import FrameResult
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
@@ -29,7 +29,7 @@ from ._voronoi import Voronoi, t1
 
 __all__ = ["Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
            "MoveResult", "MoveStatistics", "MovingDelaunay", "MovingDelaunayBatch", "NodtResult", "NotAvailableError",
-           "OpenBoundariesWarning", "PeriodicDelaunay", "Voronoi", "VoronoiPolytopes", "__version__", "analyze",
-           "audit", "counterexample", "degeneracy", "lloyd", "nodt", "predicates", "t1"]
+           "OpenBoundariesWarning", "PeriodicDelaunay", "TableWarning", "Voronoi", "VoronoiPolytopes", "__version__",
+           "analyze", "audit", "counterexample", "degeneracy", "lloyd", "nodt", "predicates", "t1"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

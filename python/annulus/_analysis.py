@@ -46,7 +46,7 @@ class Analysis(Computed):
 
     @property
     def frames(self) -> NDArray[np.int64]:
-        """ndarray of int64, shape (frames,): the numbers of the frames in the source."""
+        """ndarray of int64, shape (frames,): the numbers of the frames in the source; of a table those in it."""
         return np.array([r.frame for r in self], dtype=np.int64)
 
     @property
@@ -64,10 +64,23 @@ class Analysis(Computed):
         """ndarray of int64, shape (frames,): the number of points in each frame."""
         return np.array([r.npoints for r in self], dtype=np.int64)
 
+    @property
+    def ids(self) -> NDArray[typing.Any]:
+        """ndarray of int64 or str, shape (n,): the ids of the points as a table has them (uint64 if one is 2**63 or
+        more), in the order in which they appear; 0 to n - 1 of other sources."""
+        return max(self._results, key=lambda r: r._size).ids
+
+    @property
+    def taken(self) -> dict[str, str]:
+        """dict: what of a table was taken for what, ``{'frame': 'column 1 (t)', 'id': 'column 2 (particle)', ..}``,
+        and under ``dimension`` why points with a z are in 2D. Empty for other sources."""
+        return self._results[-1].taken
+
     @functools.cached_property
     def volumes(self) -> Floats:
         """ndarray of float64, shape (frames, n): areas (2D) or volumes (3D) of the Voronoi cells; ``inf`` for
-        unbounded ones. NaN from the number of points of a frame on, if frames differ in it."""
+        unbounded ones. NaN from the number of points of a frame on, if frames differ in it, and where a point of a
+        table is absent."""
         return typing.cast(Floats, self._padded("volumes", np.nan))
 
     @functools.cached_property
@@ -103,9 +116,10 @@ class Analysis(Computed):
         Parameters
         ----------
         table : str, optional
-            ``points``: a row for each point of each frame, with ``frame``, ``time``, ``point`` and what was computed
-            of ``volume`` and ``neighbors``; ``pairs``, ``events`` or ``moves``: the rows of these arrays, the shift
-            as ``shift_x``, ``shift_y``, ``shift_z``. By default the first of these that was computed.
+            ``points``: a row for each point of each frame, with ``frame``, ``time``, ``point``, of a table ``id``, and
+            what was computed of ``volume`` and ``neighbors``; ``pairs``, ``events`` or ``moves``: the rows of these
+            arrays, of a table with ``id_i`` and ``id_j``, the shift as ``shift_x``, ``shift_y``, ``shift_z``. By
+            default the first of these that was computed.
 
         Returns
         -------
@@ -173,9 +187,10 @@ class AnalysisStream:
 
         Notes
         -----
-        Datasets: ``frames``, ``times``, ``npoints``, ``boxes`` (NaN if boundaries are open), and those of ``volumes``,
-        ``neighbors``, ``pairs``, ``events``, ``moves`` that were computed, in the shapes and types of the attributes
-        of `Analysis`. The attribute ``what`` has the names of the latter, ``annulus`` the version.
+        Datasets: ``frames``, ``times``, ``npoints``, ``boxes`` (NaN if boundaries are open), of a table ``ids``, and
+        those of ``volumes``, ``neighbors``, ``pairs``, ``events``, ``moves`` that were computed, in the shapes and
+        types of the attributes of `Analysis`. The attribute ``what`` has the names of the latter, ``annulus`` the
+        version.
         """
         _tables.to_hdf5(self, self.what, path)
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import typing
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 
 from numpy.typing import ArrayLike
 
@@ -28,19 +28,22 @@ def _results(source: object, selection: Selection, analyzer: FrameAnalyzer) -> I
 @typing.overload
 def analyze(source: typing.Any, what: str | Collection[str] = ..., *, start: int | None = ..., stop: int | None = ...,
             step: int | None = ..., box: ArrayLike | str | None = ..., clip: ArrayLike | None = ...,
-            min_area: float = ..., threads: int = ..., stream: typing.Literal[False] = ...) -> Analysis: ...
+            min_area: float = ..., threads: int = ..., columns: Mapping[str, str | int] | None = ...,
+            absent_frames: str = ..., stream: typing.Literal[False] = ...) -> Analysis: ...
 
 
 @typing.overload
 def analyze(source: typing.Any, what: str | Collection[str] = ..., *, start: int | None = ..., stop: int | None = ...,
             step: int | None = ..., box: ArrayLike | str | None = ..., clip: ArrayLike | None = ...,
-            min_area: float = ..., threads: int = ..., stream: typing.Literal[True]) -> AnalysisStream: ...
+            min_area: float = ..., threads: int = ..., columns: Mapping[str, str | int] | None = ...,
+            absent_frames: str = ..., stream: typing.Literal[True]) -> AnalysisStream: ...
 
 
 def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neighbors", "events"), *,
             start: int | None = None, stop: int | None = None, step: int | None = None,
             box: ArrayLike | str | None = None, clip: ArrayLike | None = None, min_area: float = 0.0,
-            threads: int = 1, stream: bool = False) -> Analysis | AnalysisStream:
+            threads: int = 1, columns: Mapping[str, str | int] | None = None, absent_frames: str = "refuse",
+            stream: bool = False) -> Analysis | AnalysisStream:
     """Voronoi volumes, neighbours and their changes in all frames of a trajectory.
 
     Parameters
@@ -52,11 +55,12 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
         * an iterable of arrays (n, d), or of pairs (tuples) of a box and such an array; the box has shape (d,) or
           (d, d), or is None;
         * the name of a file: ``.npy``; ``.xtc``, ``.trr``, ``.dcd``, ``.nc``, ``.h5md``, which MDAnalysis reads; any
-          other format that ASE reads, as XYZ, extended XYZ and dumps of LAMMPS. Tables (``.csv``) are read by the
-          tool only (``annulus replay``).
+          other format that ASE reads, as XYZ, extended XYZ and dumps of LAMMPS;
+        * the name of a tracking table: ``.csv``, ``.tsv``, ``.txt``, ``.dat``, also compressed, ``.gz``, with a row for
+          each point and frame, in any order. It is read as ``annulus replay`` reads it.
 
         Row i has to be the same point in every frame. Frames may differ in the number of points, if not for
-        ``events``.
+        ``events``. In a table points have ids, and may appear and disappear: see `Analysis.ids`.
     what : str, or tuple, list or set of str, optional
         ``volumes``, ``neighbors``, ``pairs``, ``events``, ``moves``: the attributes of that name of `FrameResult`.
     start, stop, step : int, optional
@@ -71,6 +75,13 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
         In crystals, whose atoms vibrate, facets that are nearly empty come and go: exclude them.
     threads : int, optional
         As for `MovingDelaunay`.
+    columns : dict, optional
+        Of a table: the names of columns, or their numbers from 1, by ``frame``, ``id``, ``x``, ``y``, ``z``, as
+        ``{"id": "particle", "x": 3, "y": 4}``. Others are found by their names, but x, y and z are given together. A
+        file with columns is a table, whatever its name.
+    absent_frames : str, optional
+        Gaps in the frame numbers of a table: ``refuse`` them; ``empty``, one frame without points for each gap;
+        or ``skip`` them, which also takes times at any distance.
     stream : bool, optional
         Return an iterator, for trajectories that do not fit into memory.
 
@@ -83,8 +94,8 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     Error
         For a frame, whose number the message begins with: with the codes of `MovingDelaunay`; ``bad_input`` if it
         cannot be read; ``wrong_size`` if the number of points changes and `what` has ``events``. A `NotAvailableError`
-        for boxes of ASE that are periodic in some directions only. For arguments
-        with the code ``usage``. With `stream`, when the frame is requested.
+        for boxes of ASE that are periodic in some directions only. For a table the message begins with the file and
+        the line. For arguments with the code ``usage``. With `stream`, when the frame is requested.
     ImportError
         If the package that reads a file is not installed.
 
@@ -92,7 +103,12 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     -----
     Units are those of the source: angstroms with ASE and, whatever the file has, MDAnalysis.
 
-    Without a box one `MovingDelaunay` follows all frames; in a box a `PeriodicDelaunay`.
+    What was passed over in a table, or may have another meaning, is a `TableWarning`; `Analysis.taken` says which
+    columns were taken. A regular file is read twice, and a third time if points have a z. Tables whose rows are not in
+    the order of frames are held in memory, 72 bytes for each row.
+
+    Without a box one `MovingDelaunay` follows all frames; in a box a `PeriodicDelaunay`. If other points of a table are
+    present than in the frame before, a new one is built, a microsecond or two per point in 2D and ten in 3D.
     ``volumes`` cost what `voronoi_volumes` does, and the others about two microseconds per point in 2D and ten in 3D,
     for all of them. A frame of n points keeps 8 n bytes for ``volumes``, 4 n for ``neighbors``, and about 120 n in 2D
     and 340 n in 3D for ``pairs``.
@@ -106,7 +122,7 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     ((5, 100), True)
     """
     analyzer = FrameAnalyzer(what, min_area, clip, threads)
-    results = _results(source, selection_of(start, stop, step, box), analyzer)
+    results = _results(source, selection_of(start, stop, step, box, columns, absent_frames), analyzer)
     if _arguments.truth("stream", stream):
         return AnalysisStream(analyzer.what, results)
     return Analysis(analyzer.what, results)

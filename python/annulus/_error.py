@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The exception and the warning that annulus raises."""
+"""The exceptions and the warnings that annulus raises."""
 
 from __future__ import annotations
 
@@ -94,3 +94,8 @@ def batch_error(errors: dict[int, Error]) -> BatchError:
 
 class OpenBoundariesWarning(UserWarning):
     """The object that points were taken from has a periodic box, and no box was given: boundaries are open."""
+
+
+class TableWarning(UserWarning):
+    """A reader of a table has passed something over, or what it took may have another meaning. The message begins with
+    the file and the line."""

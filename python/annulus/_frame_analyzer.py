@@ -15,6 +15,7 @@ from ._moving_delaunay import MovingDelaunay
 from ._periodic import PeriodicDelaunay
 from ._queries import Floats
 from ._snapshots import Snapshot, naming
+from ._tracking_tables import Tracked
 from ._voronoi import clip_of
 
 
@@ -40,6 +41,7 @@ class FrameAnalyzer:
         self._clip = clip
         self._threads = _arguments.whole("threads", threads, 1, 2**31 - 1)
         self._dt: typing.Any = None
+        self._rows: NDArray[np.int32] | None = None  # of its points in results, if a table says it
         self._before: NDArray[np.int64] | None = None  # keys of the pairs of the last frame, ascending
 
     def __call__(self, snapshot: Snapshot) -> FrameResult:
@@ -47,25 +49,28 @@ class FrameAnalyzer:
             return self._result(snapshot)
 
     def _result(self, snapshot: Snapshot) -> FrameResult:
-        frame, time, points, box = snapshot
+        frame, time, points, box, tracked = snapshot
         self._require(snapshot)
         report = self._follow(snapshot)
         computed: dict[str, typing.Any] = {}
         if "volumes" in self.what:
-            computed["volumes"] = (self._dt.voronoi_volumes() if self._clip is None
-                                   else self._dt.voronoi_volumes(self._clip))
+            volumes = self._dt.voronoi_volumes() if self._clip is None else self._dt.voronoi_volumes(self._clip)
+            computed["volumes"] = _by_row(volumes, tracked, np.nan)
         if {"neighbors", "pairs", "events"} & set(self.what):
             pairs = self._pairs(frame)
             ends = np.concatenate([pairs["i"], pairs["j"]])
-            computed["neighbors"] = np.bincount(ends, minlength=len(points)).astype(np.int32)
+            counts = np.bincount(ends, minlength=len(points)).astype(np.int32)
+            computed["neighbors"] = _by_row(counts, tracked, -1)
+            if tracked is not None:  # rows ascend, so that i <= j still
+                pairs["i"], pairs["j"] = tracked.rows[pairs["i"]], tracked.rows[pairs["j"]]
             computed["pairs"] = pairs
         if "events" in self.what:
-            computed["events"] = self._events(frame, computed["pairs"], len(points))
+            computed["events"] = self._events(frame, computed["pairs"])
         if "moves" in self.what:
             computed["moves"] = np.array([(frame, *(getattr(report, name) if report else 0 for name in MOVES))],
                                          dtype=MOVE_COUNTS)
         return FrameResult(frame, time, len(points), points.shape[1], None if box is None else _rows_of(box),
-                           {name: computed[name] for name in self.what})
+                           {name: computed[name] for name in self.what}, tracked)
 
     def _require(self, snapshot: Snapshot) -> None:
         """That the frame has what was requested, beside the one before."""
@@ -78,14 +83,17 @@ class FrameAnalyzer:
             return
         if d != self._dt.ndim:
             raise Error(f"points have {d} coordinates, those of the frame before {self._dt.ndim}", "wrong_size")
-        if "events" in self.what and n != self._dt.npoints:
+        if "events" in self.what and n != self._dt.npoints and snapshot.tracked is None:
             raise Error(f"there are {n} points, {self._dt.npoints} in the frame before: 'events' needs the same points "
                         "in every frame", "wrong_size")
 
     def _follow(self, snapshot: Snapshot) -> _core.MoveResult | None:
-        """Moves the triangulation to the points, or makes one if their number has changed."""
+        """Moves the triangulation to the points, or makes one if these are others than before."""
         points, box, dt = snapshot.points, snapshot.box, self._dt
-        if dt is None or dt.npoints != len(points) or isinstance(dt, PeriodicDelaunay) != (box is not None):
+        rows = None if snapshot.tracked is None else snapshot.tracked.rows
+        same = rows is None or self._rows is not None and np.array_equal(rows, self._rows)
+        self._rows = rows
+        if not same or dt is None or dt.npoints != len(points) or isinstance(dt, PeriodicDelaunay) != (box is not None):
             self._dt = None
             self._dt = (MovingDelaunay(points, threads=self._threads, report_changes=False) if box is None
                         else PeriodicDelaunay(points, box, self._threads))
@@ -108,18 +116,28 @@ class FrameAnalyzer:
             pairs[name] = column[keep]
         return pairs
 
-    def _events(self, frame: int, pairs: NDArray[np.void], n: int) -> NDArray[np.void]:
+    def _events(self, frame: int, pairs: NDArray[np.void]) -> NDArray[np.void]:
         """What has come and gone among the pairs of two different points, whatever their shifts."""
         other = pairs[pairs["i"] != pairs["j"]]
-        now = np.unique(other["i"].astype(np.int64) * n + other["j"])
+        now = np.unique((other["i"].astype(np.int64) << 32) + other["j"])
         before, self._before = self._before, now
         if before is None:
             return np.empty(0, dtype=EVENTS)
         keys = np.setxor1d(now, before, assume_unique=True)
         events = np.empty(len(keys), dtype=EVENTS)
-        events["frame"], events["i"], events["j"] = frame, keys // max(n, 1), keys % max(n, 1)
+        events["frame"], events["i"], events["j"] = frame, keys >> 32, keys & (2**32 - 1)
         events["made"] = np.isin(keys, now, assume_unique=True)
         return events
+
+
+def _by_row(values: np.ndarray[typing.Any, typing.Any], tracked: Tracked | None,
+            absent: float) -> np.ndarray[typing.Any, typing.Any]:
+    """Values of the points of a frame by the rows of all points so far."""
+    if tracked is None:
+        return values
+    out = np.full(tracked.size, absent, dtype=values.dtype)
+    out[tracked.rows] = values
+    return out
 
 
 def _rows_of(box: np.ndarray[typing.Any, typing.Any]) -> Floats:

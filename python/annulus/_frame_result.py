@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._queries import Floats, Indices
+from ._tracking_tables import Tracked
 
 QUANTITIES = ("volumes", "neighbors", "pairs", "events", "moves")
 MOVES = ("asked", "within_tolerance", "kept_in_place", "flipped", "reinserted", "rebuilt")
@@ -38,11 +39,12 @@ class FrameResult(Computed):
     Attributes
     ----------
     frame : int
-        Its number in the source, from 0.
+        Its number in the source, from 0; of a table its number there.
     time : float
         Its time in the unit of the source; NaN if that has none.
     npoints, ndim : int
-        The number n of points, and d.
+        The number n of points, and d. Of a table: the number of points that are present in this frame. There n counts
+        all points of this frame and those before, and what concerns points has NaN or -1 where they are absent.
     box : ndarray of float64, shape (d, d), or None
         The vectors of its periodic box as rows; None if boundaries are open.
     volumes : ndarray of float64, shape (n,)
@@ -72,10 +74,33 @@ class FrameResult(Computed):
     moves: NDArray[np.void]
 
     def __init__(self, frame: int, time: float, npoints: int, ndim: int, box: Floats | None,
-                 computed: dict[str, typing.Any]) -> None:
+                 computed: dict[str, typing.Any], tracked: Tracked | None = None) -> None:
         self.frame, self.time, self.npoints, self.ndim, self.box = frame, time, npoints, ndim, box
         self.what = tuple(computed)
+        self._tracked = tracked
         self.__dict__.update(computed)
+
+    @property
+    def _size(self) -> int:
+        return self.npoints if self._tracked is None else self._tracked.size
+
+    @property
+    def ids(self) -> NDArray[typing.Any]:
+        """ndarray of int64 or str, shape (n,): the ids of the points as a table has them (uint64 if one is 2**63 or
+        more); 0 to n - 1 of other sources."""
+        tracked = self._tracked
+        return np.arange(self.npoints) if tracked is None else tracked.tracks.ids(tracked.size)
+
+    @property
+    def present(self) -> Indices:
+        """ndarray of int32, shape (npoints,): which of the n points are in this frame, ascending."""
+        return np.arange(self.npoints, dtype=np.int32) if self._tracked is None else self._tracked.rows
+
+    @property
+    def taken(self) -> dict[str, str]:
+        """dict: what of a table was taken for what, as it has been read so far: ``{'id': 'column 2 (particle)', ..}``.
+        Empty for other sources."""
+        return {} if self._tracked is None else self._tracked.tracks.taken
 
     def __repr__(self) -> str:
         return f"<FrameResult: frame {self.frame}, {self.npoints} points in {self.ndim}D, {', '.join(self.what)}>"

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from . import _arguments
 from ._error import Error
 from ._periodic import NotAvailableError
+from ._tracking_tables import TableFrame, TableOptions, Tracked, table_options_of, tracked_of
 from ._trajectory_files import opened
 
 _EXPECTED = ("an array of shape (frames, n, d) or (n, d), the name of a file, a Universe or AtomGroup of MDAnalysis, "
@@ -22,30 +23,35 @@ _EXPECTED = ("an array of shape (frames, n, d) or (n, d), the name of a file, a 
 
 
 class Snapshot(typing.NamedTuple):
-    """A frame: its number in the source, its time (NaN if it has none), points (n, d); box (d,) or (d, d), or None."""
+    """A frame: its number in the source, its time (NaN if it has none), points (n, d); box (d,) or (d, d), or None;
+    which rows of results the points are, if the source says it."""
 
     frame: int
     time: float
     points: np.ndarray[typing.Any, typing.Any]
     box: np.ndarray[typing.Any, typing.Any] | None
+    tracked: Tracked | None = None
 
 
 class Selection(typing.NamedTuple):
-    """The frames to be taken, and the box that the source is given: an array, ``open``, or None for its own."""
+    """The frames to be taken, the box that the source is given: an array, ``open``, or None for its own; and how a
+    table is read."""
 
     start: int | None
     stop: int | None
     step: int | None
     box: typing.Any
+    table: TableOptions
 
 
-def selection_of(start: object, stop: object, step: object, box: ArrayLike | str | None) -> Selection:
+def selection_of(start: object, stop: object, step: object, box: ArrayLike | str | None, columns: object = None,
+                 absent_frames: object = "refuse") -> Selection:
     most = 2**63 - 1
     if isinstance(box, str) and box != "open":
         raise Error(f"box must be an array, 'open' or None, not {_arguments.described(box)}", "usage")
     first, end, stride = (None if value is None else _arguments.whole(name, value, least, most) for name, value, least
                           in (("start", start, -most), ("stop", stop, -most), ("step", step, 1)))
-    return Selection(first, end, stride, box)
+    return Selection(first, end, stride, box, table_options_of(columns, absent_frames))
 
 
 @contextlib.contextmanager
@@ -61,8 +67,8 @@ def naming(frame: int) -> Iterator[None]:
 
 def snapshots(source: typing.Any, selection: Selection) -> Iterator[Snapshot]:
     """The chosen frames of a source, one after the other. Nothing of a frame is kept after the next one is taken."""
-    for frame, item in _numbered(_items_of(source), selection):
-        yield snapshot_of(frame, item, selection.box)
+    for frame, item in _numbered(_items_of(source, selection.table), selection):
+        yield snapshot_of(item.number if isinstance(item, TableFrame) else frame, item, selection.box)
 
 
 def snapshot_of(frame: int, item: typing.Any, box: typing.Any) -> Snapshot:
@@ -104,10 +110,12 @@ class _Trajectory:
         return atoms_at(self._atoms, step)
 
 
-def _items_of(source: typing.Any) -> typing.Any:
+def _items_of(source: typing.Any, table: TableOptions) -> typing.Any:
     """The frames of a source: something with a length and indices, or an iterable."""
     if isinstance(source, (str, os.PathLike)):
-        source = opened(source)
+        source = opened(source, table)
+    elif table.given:
+        raise Error("columns and absent_frames are for tables in files", "usage")
     if hasattr(source, "trajectory") and hasattr(source, "atoms"):
         return _Trajectory(source.atoms, source.trajectory)
     if hasattr(source, "universe") and hasattr(source, "positions"):
@@ -141,7 +149,7 @@ _END = object()
 
 
 def _numbered(items: typing.Any, selection: Selection) -> Iterator[tuple[int, typing.Any]]:
-    start, stop, step, _ = selection
+    start, stop, step = selection[:3]
     if hasattr(items, "__len__") and hasattr(items, "__getitem__"):
         for frame in range(*slice(start, stop, step).indices(len(items))):
             with _reading(frame):
@@ -167,7 +175,7 @@ def _reading(frame: int) -> Iterator[None]:
     """What a reader raises becomes an `Error` with the number of the frame."""
     try:
         yield
-    except (MemoryError, Error):
+    except (MemoryError, Error, Warning):
         raise
     except Exception as e:
         raise Error(f"frame {frame} cannot be read: {type(e).__name__}: {e}", "bad_input") from e
@@ -189,8 +197,10 @@ def _ndim(value: typing.Any) -> int:
 
 def _snapshot(frame: int, item: typing.Any, given: typing.Any) -> Snapshot:
     time = getattr(item, "time", None)
-    box = None
-    if _is_pair(item):
+    box = tracked = None
+    if isinstance(item, TableFrame):
+        item, tracked = tracked_of(item)
+    elif _is_pair(item):
         box, item = item[0], getattr(item[1], "positions", item[1])
     elif hasattr(item, "pbc") and hasattr(item, "cell"):
         box, item = _box_of_ase(item, given), item.positions
@@ -206,7 +216,7 @@ def _snapshot(frame: int, item: typing.Any, given: typing.Any) -> Snapshot:
         raise Error(f"points must have shape (n, 2) or (n, 3), not {points.shape}{hint}", "wrong_size")
     known = isinstance(time, (int, float, np.number))
     return Snapshot(frame, float(typing.cast(float, time)) if known else np.nan, points,
-                    None if box is None else _arguments.array_of(box, "box"))
+                    None if box is None else _arguments.array_of(box, "box"), tracked)
 
 
 def _box_of_ase(atoms: typing.Any, given: typing.Any) -> typing.Any:

@@ -27,16 +27,19 @@ def tables_of(what: tuple[str, ...]) -> tuple[str, ...]:
 def columns_of(result: FrameResult, table: str) -> Columns:
     """The rows of a frame in a table, column by column."""
     if table == "points":
-        n = result.npoints
-        columns: Columns = {"frame": np.full(n, result.frame), "time": np.full(n, result.time),
-                            "point": np.arange(n, dtype=np.int32)}
+        n, there = result.npoints, result.present
+        columns: Columns = {"frame": np.full(n, result.frame), "time": np.full(n, result.time), "point": there}
+        if result.taken:
+            columns["id"] = result.ids[there]
         if "volumes" in result.what:
-            columns["volume"] = result.volumes
+            columns["volume"] = result.volumes[there]
         if "neighbors" in result.what:
-            columns["neighbors"] = result.neighbors
+            columns["neighbors"] = result.neighbors[there]
         return columns
     rows = getattr(result, table)
     columns = {name: rows[name] for name in rows.dtype.names if name != "shift"}
+    if result.taken and table != "moves":
+        columns["id_i"], columns["id_j"] = result.ids[rows["i"]], result.ids[rows["j"]]
     if "shift" in rows.dtype.names:
         columns.update((f"shift_{axis}", rows["shift"][:, k]) for k, axis in enumerate("xyz"[:result.ndim]))
     return columns
@@ -113,6 +116,7 @@ def to_hdf5(results: Iterable[FrameResult], what: tuple[str, ...], path: str | o
     h5py = _imported("h5py", "to_hdf5")
     with h5py.File(os.fsdecode(_arguments.file_of("path", path)), "w") as file:
         file.attrs["annulus"], file.attrs["what"] = _core.version, list(what)
+        ids = 0
         for result in results:
             d = result.ndim
             box = np.full((d, d), np.nan) if result.box is None else result.box
@@ -123,6 +127,10 @@ def to_hdf5(results: Iterable[FrameResult], what: tuple[str, ...], path: str | o
             for name in what:
                 rows = getattr(result, name)
                 _append(file, name, rows[None] if name in ("volumes", "neighbors") else rows)
+            if result.taken:
+                new = result.ids[ids:]
+                _append(file, "ids", new.astype(h5py.string_dtype()) if new.dtype.kind == "U" else new)
+                ids += len(new)
 
 
 def _append(file: typing.Any, name: str, rows: np.ndarray[typing.Any, typing.Any]) -> None:

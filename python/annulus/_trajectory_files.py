@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Trajectories in files: NumPy's are mapped, all others read by ASE or MDAnalysis."""
+"""Trajectories in files: NumPy's are mapped, tables read here, all others by ASE or MDAnalysis."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _arguments
 from ._error import Error
+from ._tracking_tables import TableOptions, frames_of_table
 
 # What MDAnalysis reads without a topology. These formats are binary and store no names of atoms.
 _MDANALYSIS = (".dcd", ".h5md", ".nc", ".ncdf", ".trr", ".xtc")
@@ -19,20 +20,21 @@ _TABLES = (".csv", ".tsv", ".txt", ".dat")
 _ASE = {".dump": "lammps-dump-text", ".lammpstrj": "lammps-dump-text", ".lammpsdump": "lammps-dump-text"}
 
 
-def opened(path: str | os.PathLike[str]) -> typing.Any:
+def opened(path: str | os.PathLike[str], table: TableOptions) -> typing.Any:
     """The frames of a file, read when they are taken.
 
     ``.npy`` is an array, mapped into memory; ``.xtc``, ``.trr``, ``.dcd``, ``.nc`` and ``.h5md`` a reader of
-    MDAnalysis; anything else a generator of ASE's Atoms.
+    MDAnalysis; a table, which is one by its end or because columns are given, a generator of `TableFrame`; anything
+    else one of ASE's Atoms.
     """
     name = os.fsdecode(_arguments.file_of("source", path))
-    end = os.path.splitext(name[:-3] if name.endswith(".gz") else name)[1].lower()
-    if end in _TABLES:
-        raise Error(f"source: {name} is a table of rows, which this function does not read: read it with the tool "
-                    "(annulus replay --columns ..), or give the positions as an array of shape (frames, n, d)",
-                    "bad_input")
+    end = os.path.splitext(name[:-3] if name.lower().endswith(".gz") else name)[1].lower()
     if not os.path.isfile(name):
         raise Error(f"source: {name} is not a file", "bad_input")
+    if end in _TABLES or any(table.columns):
+        return frames_of_table(name, table)
+    if table.given:
+        raise Error(f"absent_frames is for tables ({', '.join(_TABLES)}, or any file with columns)", "usage")
     if end == ".npy":
         return _mapped(name)
     return _by_mdanalysis(name) if end in _MDANALYSIS else _by_ase(name, end)

@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, m) {
     add_counterexample(m);
     add_lloyd(m);
     add_nodt(m);
+    add_table(m);
 }
 #undef PyInit__core
 

@@ -23,6 +23,7 @@ void add_interpolation(py::module_& m);
 void add_counterexample(py::module_& m);
 void add_lloyd(py::module_& m);
 void add_nodt(py::module_& m);
+void add_table(py::module_& m);
 
 /// For classes whose objects are created only in C++: pybind11 would treat an object made by `__new__` as if it had
 /// been initialised.

@@ -171,8 +171,6 @@ def test_numpy_file(tmp_path):
 def test_other_files(tmp_path, monkeypatch):
     with pytest.raises(annulus.Error, match="none.xyz is not a file"):
         annulus.analyze(tmp_path / "none.xyz")
-    with pytest.raises(annulus.Error, match="table of rows.*annulus replay"):
-        annulus.analyze(tmp_path / "rows.csv")
     for name, module, package in (("a.xyz", "ase.io", "ASE"), ("a.xtc", "MDAnalysis.coordinates.core", "MDAnalysis")):
         (tmp_path / name).write_bytes(b"")
         monkeypatch.setitem(sys.modules, module.partition(".")[0], None)
