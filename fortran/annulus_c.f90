@@ -291,5 +291,12 @@ module annulus_c
             integer(c_int32_t), intent(inout), optional :: vertices(*)
             integer(c_size_t), intent(inout) :: count
         end function
+        integer(c_int) function annulus_t1(mesh, capacity, vertices, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
     end interface
 end module annulus_c

@@ -46,6 +46,7 @@ module annulus_meshes
         procedure :: gone
         procedure :: edges_made
         procedure :: edges_broken
+        procedure :: t1
         procedure :: audit
         procedure :: message
         procedure :: error_vertices
@@ -265,6 +266,14 @@ module annulus_meshes
             character(*), intent(inout), optional :: errmsg
         end subroutine
         module subroutine edges_broken(self, vertices, stat, errmsg)
+            class(moving_mesh), intent(in) :: self
+            integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
+            integer, intent(out), optional :: stat
+            character(*), intent(inout), optional :: errmsg
+        end subroutine
+        ! vertices(4, :): the T1 transitions of the last call in 2D. The first two vertices of each were neighbours
+        ! before, the other two are since; needs report_changes.
+        module subroutine t1(self, vertices, stat, errmsg)
             class(moving_mesh), intent(in) :: self
             integer(c_int32_t), allocatable, intent(inout) :: vertices(:, :)
             integer, intent(out), optional :: stat

@@ -137,6 +137,18 @@ contains
         call check(self%handle, status, stat, errmsg)
     end procedure
 
+    module procedure t1
+        integer(c_size_t) :: count
+        integer(c_int) :: status
+        status = annulus_t1(self%handle, 0_c_size_t, count=count)
+        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
+            call fit(vertices, 4, count)
+            status = annulus_t1(self%handle, count, vertices, count)
+            vertices = vertices + 1
+        end if
+        call check(self%handle, status, stat, errmsg)
+    end procedure
+
     module procedure audit
         type(annulus_audit_result) :: empty
         result = empty

@@ -235,21 +235,6 @@ def t1(report: _core.MoveResult) -> Indices:
     """
     if not isinstance(report, _core.MoveResult):
         raise TypeError(f"report must be a MoveResult, not {_arguments.described(report)}")
-    made, removed, changed = report.edges_made, report.removed_simplices, report.changed_simplices
-    if removed.shape[1] != 3:
+    if report.removed_simplices.shape[1] != 3:
         raise Error("report must be that of a move in 2D", "usage")
-    across: dict[tuple[int, int], list[int]] = {}
-    for a, b, c in removed.tolist():
-        for i, j, k in ((a, b, c), (b, c, a), (c, a, b)):
-            across.setdefault((min(i, j), max(i, j)), []).append(k)
-    new = {tuple(sorted(row)) for row in changed.tolist()}
-    made_pairs = set(map(tuple, made.tolist()))
-    out = []
-    for i, j in np.asarray(report.edges_broken).tolist():
-        opposite = sorted(across.get((i, j), []))
-        if len(opposite) != 2:
-            continue
-        k, l = opposite
-        if (k, l) in made_pairs and tuple(sorted((i, k, l))) in new and tuple(sorted((j, k, l))) in new:
-            out.append((i, j, k, l))
-    return np.array(out, dtype=np.int32).reshape(-1, 4)
+    return _core.t1(report)

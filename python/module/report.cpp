@@ -3,6 +3,8 @@
 
 #include <module/parts.h>
 
+#include <annulus/measure/t1_transitions.h>
+
 #include <algorithm>
 
 namespace annulus::python {
@@ -179,6 +181,10 @@ py::dict Report::as_dict() const { return dict_of(counts, report_->moves); }
 
 py::object Report::edges_made() const { return give_pairs(edges().made); }
 py::object Report::edges_broken() const { return give_pairs(edges().broken); }
+py::object Report::t1() const {
+    require_lists();
+    return give_rows(t1_transitions(report_->changed, report_->gone));
+}
 
 py::str Report::repr() const { return repr_of("MoveResult", counts, report_->moves); }
 
@@ -263,6 +269,7 @@ In 2D, a flip breaks one pair and makes one, a T1 transition (`annulus.t1`). Com
         .def("__reduce__",
              [](const Report& r) { return py::make_tuple(unpickler("result_of"), py::make_tuple(r.state())); });
     m.def("result_of", &Report::of_state);
+    m.def("t1", &Report::t1);
 }
 
 }  // namespace annulus::python

@@ -25,6 +25,8 @@ class Report {
     /// same.
     [[nodiscard]] py::object edges_made() const;
     [[nodiscard]] py::object edges_broken() const;
+    /// Of a report in 2D, (m, 4). Throws the same.
+    [[nodiscard]] py::object t1() const;
     [[nodiscard]] py::dict as_dict() const;
     [[nodiscard]] py::str repr() const;
     [[nodiscard]] py::tuple state() const;

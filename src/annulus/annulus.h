@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 5
+#define ANNULUS_INTERFACE 6
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -355,6 +355,15 @@ ANNULUS_API int annulus_gone(const annulus_mesh* mesh, size_t capacity, int32_t*
 // Errors: WRONG_SIZE, NO_MEMORY; USAGE without that option.
 ANNULUS_API int annulus_edges_made(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 ANNULUS_API int annulus_edges_broken(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
+// With the same option, in 2D: the T1 transitions of the last call that changed the mesh, where two Voronoi cells lost
+// their contact and two others came into contact. Four indices i, j, k, l each, i < j and k < l: i and j were
+// neighbours before, k and l are since, and the triangles i j k and i j l became k l i and k l j. Ascending. Where
+// flips follow one another in one place within a call, or vertices pass through the hull, pairs are made and broken
+// that are in the two lists above and not here. Cocircular points may change their diagonal, which is a transition
+// between empty facets. The first call after a change takes O(k log k) for k cells in the lists of cells; then the
+// transitions are kept, 16 bytes each, until the next call that changes the mesh: O(list).
+// Errors: WRONG_SIZE, NO_MEMORY; USAGE without that option, and in 3D.
+ANNULUS_API int annulus_t1(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count);
 
 #ifdef __cplusplus
 }  // extern "C"

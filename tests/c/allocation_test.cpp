@@ -65,6 +65,7 @@ TEMPLATE_TEST_CASE_SIG("A call of the C interface that runs out of memory says s
         {"voronoi", [&](auto* m) { return annulus_voronoi(m, n, lengths.data(), nullptr); }},
         {"cells", [&](auto* m) { return annulus_cells(m, 0, nullptr, nullptr, &count); }},
         {"edges_made", [&](auto* m) { return annulus_edges_made(m, 0, nullptr, &count); }},
+        {"t1", [&](auto* m) { return d == 2 ? annulus_t1(m, 0, nullptr, &count) : int{ANNULUS_OK}; }},
         {"audit", [&](auto* m) { return annulus_audit(m, &audit); }}};
     for (const Call& call : calls)
         for (const Memory memory : {Memory::short_once, Memory::short_for_good}) {

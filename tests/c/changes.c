@@ -40,17 +40,21 @@ static void check_flip(void) {
     const int32_t vertex = 3;
     const int32_t short_one[2] = {0, 3};
     const int32_t long_one[2] = {1, 2};
+    const int32_t there[4] = {0, 3, 1, 2};
+    const int32_t and_back[4] = {1, 2, 0, 3};
     int32_t cells[6];
     size_t count = 0;
     annulus_mesh* mesh = mesh_of(4, x);
     check_list(mesh, annulus_gone, 3, 0, NULL);  // no call has changed it
     check_list(mesh, annulus_edges_made, 2, 0, NULL);
     check_list(mesh, annulus_edges_broken, 2, 0, NULL);
+    check_list(mesh, annulus_t1, 4, 0, NULL);
 
     CHECK_STATUS(annulus_move(mesh, 1, &vertex, away, NULL), ANNULUS_OK);
     check_list(mesh, annulus_gone, 3, 2, NULL);
     check_list(mesh, annulus_edges_made, 2, 1, long_one);
     check_list(mesh, annulus_edges_broken, 2, 1, short_one);
+    check_list(mesh, annulus_t1, 4, 1, there);
     CHECK_STATUS(annulus_gone(mesh, 2, cells, &count), ANNULUS_OK);
     for (int c = 0; c < 2; ++c) {  // 0 1 3 and 0 3 2, counter-clockwise, from any corner
         int at = 0;
@@ -62,11 +66,13 @@ static void check_flip(void) {
     CHECK_STATUS(annulus_move(mesh, 1, &vertex, back, NULL), ANNULUS_OK);
     check_list(mesh, annulus_edges_made, 2, 1, short_one);
     check_list(mesh, annulus_edges_broken, 2, 1, long_one);
+    check_list(mesh, annulus_t1, 4, 1, and_back);
     CHECK_STATUS(annulus_move(mesh, 1, &vertex, back, NULL), ANNULUS_OK);  // nothing changes
     check_list(mesh, annulus_changed, 3, 0, NULL);
     check_list(mesh, annulus_gone, 3, 0, NULL);
     check_list(mesh, annulus_edges_made, 2, 0, NULL);
     check_list(mesh, annulus_edges_broken, 2, 0, NULL);
+    check_list(mesh, annulus_t1, 4, 0, NULL);
     annulus_destroy(&mesh);
 }
 

@@ -84,6 +84,27 @@ void require_edges(const annulus_mesh* mesh, const std::set<Pair>& before, const
     REQUIRE(listed(mesh, annulus_edges_broken) == std::vector<Pair>(broken.begin(), broken.end()));
 }
 
+/// T1 transitions by their definition, of the triangles and edges that there were and are.
+std::vector<std::int32_t> t1_of(const State& before, const State& now) {
+    const auto has = [](const State& state, std::vector<std::int32_t> corners) {
+        std::sort(corners.begin(), corners.end());
+        return state.cells.count(corners) == 1;
+    };
+    std::vector<std::int32_t> out;
+    const auto made = without(now.edges, before.edges);
+    for (const auto& [i, j] : without(before.edges, now.edges)) {
+        std::vector<std::int32_t> opposite;
+        for (const auto& cell : before.cells)
+            if (std::count(cell.begin(), cell.end(), i) + std::count(cell.begin(), cell.end(), j) == 2)
+                opposite.push_back(cell[0] + cell[1] + cell[2] - i - j);
+        std::sort(opposite.begin(), opposite.end());
+        if (opposite.size() != 2 || made.count({opposite[0], opposite[1]}) == 0) continue;
+        if (has(now, {i, opposite[0], opposite[1]}) && has(now, {j, opposite[0], opposite[1]}))
+            out.insert(out.end(), {i, j, opposite[0], opposite[1]});
+    }
+    return out;
+}
+
 annulus_mesh* mesh_of(int d, const std::vector<double>& x, const char* strategy) {
     annulus_options options{};
     options.size = sizeof options;
@@ -108,7 +129,7 @@ TEMPLATE_TEST_CASE_SIG("C lists the cells and edges that went and came, dimensio
         std::mt19937_64 random(5);
         std::vector<double> x = random_points(80 * d, random);
         annulus_mesh* mesh = mesh_of(d, x, strategy);
-        std::size_t broken = 0;
+        std::size_t broken = 0, t1 = 0;
         for (int step = 0; step < 8; ++step) {
             const State before(mesh, d);
             for (double& a : x) a += std::uniform_real_distribution(-0.02, 0.02)(random);
@@ -121,8 +142,13 @@ TEMPLATE_TEST_CASE_SIG("C lists the cells and edges that went and came, dimensio
             REQUIRE(without(gone, came) == without(before.cells, now.cells));
             REQUIRE(without(came, gone) == without(now.cells, before.cells));
             broken += without(before.edges, now.edges).size();
+            if (d == 3) continue;
+            const auto transitions = numbers(mesh, annulus_t1, 4);
+            REQUIRE(transitions == t1_of(before, now));
+            t1 += transitions.size() / 4;
         }
         REQUIRE(broken > 20);
+        REQUIRE((d == 3 || (t1 > 10 && t1 < broken)));
         annulus_destroy(&mesh);
     }
 }
@@ -144,14 +170,25 @@ TEMPLATE_TEST_CASE_SIG("C lists the edges of calls that change the mesh several 
         const auto gone = finite_cells(numbers(mesh, annulus_gone, d + 1), d + 1);
         for (const auto& cell : without(before.cells, now.cells))
             if (cell.front() >= 0) REQUIRE(gone.count(cell) == 1);
+        if (d == 2) REQUIRE(numbers(mesh, annulus_t1, 4) == t1_of(before, now));
     }
     std::shuffle(there.begin(), there.end(), random);
     for (const std::size_t count : {1U, 30U, 20U, 25U, 7U}) {
         const State before(mesh, d);
         REQUIRE(annulus_remove(mesh, count, there.data() + there.size() - count, nullptr, nullptr) == ANNULUS_OK);
         there.resize(there.size() - count);
-        require_edges(mesh, before.edges, edges_now(mesh));
+        const State now(mesh, d);
+        require_edges(mesh, before.edges, now.edges);
+        if (d == 2) REQUIRE(numbers(mesh, annulus_t1, 4) == t1_of(before, now));
     }
     REQUIRE(there.empty());
     annulus_destroy(&mesh);
+}
+
+TEST_CASE("C has no T1 transitions in 3D", "[c]") {
+    annulus_mesh* space = mesh_of(3, {}, "auto");
+    std::size_t count = 77;
+    REQUIRE(annulus_t1(space, 0, nullptr, &count) == ANNULUS_USAGE);
+    REQUIRE(count == 77);
+    annulus_destroy(&space);
 }

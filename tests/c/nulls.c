@@ -42,6 +42,7 @@ static void check_null(void) {
     CHECK_STATUS(annulus_gone(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_edges_made(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_edges_broken(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_t1(NULL, 0, NULL, &count), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_audit(NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_strategy(NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK(count == 77 && answer == 77);
@@ -64,6 +65,7 @@ static void check_null(void) {
     CHECK_STATUS(annulus_gone(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_edges_made(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_edges_broken(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_t1(mesh, 0, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_audit(mesh, NULL), ANNULUS_NULL_POINTER);
     CHECK(annulus_message(mesh, NULL, 0) == strlen("result is NULL"));
     CHECK(annulus_message(mesh, text, 4) == strlen("result is NULL"));

@@ -94,6 +94,7 @@ static void check_sizes_and_names(void) {
     CHECK_STATUS(annulus_gone(mesh, 0, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_edges_made(mesh, 0, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_edges_broken(mesh, 0, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_t1(mesh, 0, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_USAGE);
     audit.size = sizeof audit;
     CHECK_STATUS(annulus_audit(mesh, &audit), ANNULUS_OK);

@@ -88,7 +88,7 @@ contains
 
     ! Numbers that can be verified by hand: a square with its centre.
     subroutine a_square()
-        type(moving_mesh) :: mesh
+        type(moving_mesh) :: mesh, kite
         real(c_double), allocatable :: areas(:)
         integer(c_int32_t), allocatable :: around(:), hull(:, :), cells(:, :), neighbours(:, :)
         call mesh%create(reshape([real(c_double) :: 0, 0, 4, 0, 0, 4, 4, 4, 2, 2], [2, 5]), report_changes=.true.)
@@ -107,6 +107,12 @@ contains
         call expect(all(cells == reshape([2, 3], [2, 1])), 'edges_made')
         call mesh%edges_broken(cells)
         call expect(all(cells == reshape([1, 5, 3, 5], [2, 2])), 'edges_broken')
+        call mesh%t1(cells)
+        call expect(all(shape(cells) == [4, 0]), 'no t1: the vertex has passed through the hull')
+        call kite%create(reshape([real(c_double) :: 0, 0, 4, 0, 0, 4, 3, 3], [2, 4]), report_changes=.true.)
+        call kite%move([4], reshape([real(c_double) :: 5, 5], [2, 1]))
+        call kite%t1(cells)
+        call expect(all(cells == reshape([1, 4, 2, 3], [4, 1])), 't1')
         call mesh%remove([5])
         call mesh%cells(cells)
         call expect(size(cells, 2) == 2, 'two triangles')

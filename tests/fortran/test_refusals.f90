@@ -66,6 +66,8 @@ contains
         call expect(stat == ANNULUS_USAGE, 'edges_made without report_changes')
         call mesh%edges_broken(cells, stat=stat)
         call expect(stat == ANNULUS_USAGE, 'edges_broken without report_changes')
+        call mesh%t1(cells, stat=stat)
+        call expect(stat == ANNULUS_USAGE, 't1 without report_changes')
 
         call none%move_all(x, stat=stat, errmsg=why)
         call expect(stat == ANNULUS_NULL_POINTER .and. why == 'the mesh has not been created', 'no mesh to move')

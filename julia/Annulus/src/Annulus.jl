@@ -28,7 +28,7 @@ export affine_dimension, dimension, index_bound, is_vertex, strategy, vertex_cou
 export displacements, points, tolerances
 export neighbour_counts, voronoi_cells, voronoi_facets, voronoi_gradient, voronoi_volumes
 export audit, cells, convex_hull, find_cells, neighbour_lists, neighbours
-export changed, edges_broken, edges_made, gone
+export changed, edges_broken, edges_made, gone, t1
 export audit_cells, in_circle, in_sphere, orient_2d, orient_3d
 
 include("c.jl")

@@ -8,7 +8,7 @@ module C
 const library = "libannulus_c.so.0"
 
 # ANNULUS_INTERFACE of the header that this file was written for; `annulus_interface` returns the library's.
-const INTERFACE = 5
+const INTERFACE = 6
 
 # annulus_status
 const OK = 0
@@ -299,6 +299,11 @@ end
 
 function annulus_edges_broken(mesh, capacity, vertices, count)
     return ccall((:annulus_edges_broken, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, count)
+end
+
+function annulus_t1(mesh, capacity, vertices, count)
+    return ccall((:annulus_t1, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
                  mesh, capacity, vertices, count)
 end
 

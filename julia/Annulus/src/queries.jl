@@ -102,6 +102,8 @@ gone(mesh::MovingMesh) = numbers(mesh, C.annulus_gone, dimension(mesh) + 1)
 edges_made(mesh::MovingMesh) = numbers(mesh, C.annulus_edges_made, 2)
 "The pairs of vertices that are neighbours no longer since the last call, in the same form."
 edges_broken(mesh::MovingMesh) = numbers(mesh, C.annulus_edges_broken, 2)
+"The T1 transitions of the last call in 2D, a column each: the first two vertices were neighbours, the others are now."
+t1(mesh::MovingMesh) = numbers(mesh, C.annulus_t1, 4)
 "The vertices that an edge joins to `vertex`, ascending."
 neighbours(mesh::MovingMesh, vertex::Integer) =
     numbers(mesh, (mesh, capacity, list, count) -> C.annulus_neighbours(mesh, of_c(vertex), capacity, list, count))

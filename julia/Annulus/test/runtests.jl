@@ -121,7 +121,10 @@ end
     move!(mesh, [5], [9.0; 2.0][:, :])
     @test size(changed(mesh), 1) == 3 && 5 in changed(mesh) && 0 in changed(mesh)
     @test size(gone(mesh), 1) == 3 && 5 in gone(mesh)
-    @test edges_made(mesh) == [2 3]' && edges_broken(mesh) == [1 3; 5 5]
+    @test edges_made(mesh) == [2 3]' && edges_broken(mesh) == [1 3; 5 5] && size(t1(mesh)) == (4, 0)
+    flip = MovingMesh([0.0 4 0 3; 0 0 4 3]; report_changes=true)
+    move!(flip, [4], [5.0; 5.0][:, :])
+    @test t1(flip) == [1 4 2 3]'
     line = MovingMesh([0.0 1 2; 0 1 2])
     @test affine_dimension(line) == 1
     @test all(count(==(-1), cells(line).vertices; dims=1) .== 1) && all(cells(line).neighbours .== 0)
@@ -152,7 +155,7 @@ end
         @test refusal(call).code == C.WRONG_SIZE
     end
     @test refusal(() -> voronoi_cells(mesh; lower=[0, 0])).code == C.NULL_POINTER
-    for list in (changed, gone, edges_made, edges_broken)
+    for list in (changed, gone, edges_made, edges_broken, t1)
         @test refusal(() -> list(mesh)).code == C.USAGE
     end
     @test refusal(() -> MovingMesh(x; strategy="fastest")).code == C.USAGE

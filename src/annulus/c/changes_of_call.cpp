@@ -11,6 +11,7 @@ void Changes_of_call::assign(std::vector<Index> came, std::vector<Index> gone) n
     gone_ = std::move(gone);
     begins_.clear();
     edges_.reset();
+    t1_.reset();
 }
 
 void Changes_of_call::add(std::span<const Index> came, std::span<const Index> gone) {
@@ -26,6 +27,7 @@ void Changes_of_call::add(std::span<const Index> came, std::span<const Index> go
         throw;
     }
     edges_.reset();
+    t1_.reset();
 }
 
 template <int d>
@@ -62,6 +64,12 @@ const Edge_changes& Changes_of_call::edges(int d) const {
     const std::lock_guard lock(computing_);
     if (!edges_) edges_ = d == 2 ? compute<2>() : compute<3>();
     return *edges_;
+}
+
+const T1_transitions& Changes_of_call::t1() const {
+    const std::lock_guard lock(computing_);
+    if (!t1_) t1_ = t1_transitions(came_, gone_);
+    return *t1_;
 }
 
 }  // namespace annulus::inline v1::c

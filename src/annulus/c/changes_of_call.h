@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/measure/neighbour_changes.h>
+#include <annulus/measure/t1_transitions.h>
 #include <annulus/types.h>
 
 #include <cstddef>
@@ -28,6 +29,8 @@ class Changes_of_call {
     /// An edge that several changes made and broke counts as it is after the last one. The first request computes the
     /// edges, O(k log k) for k cells; they are kept until the lists change. Precondition: d is 2 or 3.
     [[nodiscard]] const Edge_changes& edges(int d) const;
+    /// Those of the call as a whole, in 2D; computed and kept in the same way. Precondition: the mesh is in 2D.
+    [[nodiscard]] const T1_transitions& t1() const;
 
   private:
     /// Where the lists of a change begin.
@@ -41,6 +44,7 @@ class Changes_of_call {
     std::vector<Begin> begins_;  // of every change but the first one
     mutable std::mutex computing_;
     mutable std::optional<Edge_changes> edges_;
+    mutable std::optional<T1_transitions> t1_;
 };
 
 }  // namespace annulus::inline v1::c

@@ -270,6 +270,19 @@ int annulus_edges_made(const annulus_mesh* mesh, size_t capacity, int32_t* verti
 int annulus_edges_broken(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
     return listed_edges(mesh, capacity, vertices, count, &Edge_changes::broken);
 }
+int annulus_t1(const annulus_mesh* mesh, size_t capacity, int32_t* vertices, size_t* count) {
+    return guarded(mesh, [&](const annulus_mesh& m) {
+        require(count, "count");
+        if (m.mesh->dimension() != 2) throw Refused(ANNULUS_USAGE, "T1 transitions are in 2D, and the mesh is in 3D");
+        require_lists(m);
+        const T1_transitions& all = m.changes.t1();
+        *count = all.size();
+        if (vertices != nullptr || capacity > 0) require_capacity(capacity, *count, "transitions");
+        require(vertices, capacity, "vertices");
+        if (vertices == nullptr) return;
+        for (std::size_t k = 0; k < all.size(); ++k) std::copy(all[k].begin(), all[k].end(), vertices + 4 * k);
+    });
+}
 
 int annulus_audit(const annulus_mesh* mesh, annulus_audit_result* result) {
     return guarded(mesh, [&](const annulus_mesh& m) {
