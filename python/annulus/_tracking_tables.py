@@ -91,20 +91,22 @@ class Tracks:
 
     def ids(self, count: int) -> NDArray[typing.Any]:
         """The ids of the first rows, as the table writes them."""
-        if len(self._ids) < count and self._reader is not None:
+        reader = self._reader  # another thread may close it
+        if len(self._ids) < count and reader is not None:
             numbers = np.concatenate(self._parts)
-            words = self._reader.words()
+            words = reader.words()
             if words is not None:
-                self._ids = np.array(words)[numbers]
+                ids = np.array(words)[numbers]
             else:
-                signed = self._reader.signs() or int(numbers.max()) < 2**63
-                self._ids = numbers.view(np.int64) if signed else numbers
-            self._ids.flags.writeable = False
+                ids = numbers.view(np.int64) if reader.signs() or int(numbers.max()) < 2**63 else numbers
+            ids.flags.writeable = False
+            self._ids = ids
         return self._ids[:count]
 
     @property
     def taken(self) -> dict[str, str]:
-        return dict(self._taken if self._reader is None else self._reader.taken())
+        reader = self._reader
+        return dict(self._taken if reader is None else reader.taken())
 
     def close(self) -> None:
         self.ids(len(self))

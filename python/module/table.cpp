@@ -2,13 +2,14 @@
 #include <module/arrays.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
+#include <module/process_mutex.h>
 
 #include <apps/formats/frame_points.h>
 #include <apps/formats/motion_start.h>
 
 #include <pybind11/stl.h>
 
-#include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -49,39 +50,56 @@ auto read(Call call) {
     }
 }
 
-/// The frames of a table of trajectories, one after the other. Precondition of all members: one thread at a time.
+py::list list_of(const std::vector<std::string>& lines) {
+    py::list out;
+    for (const std::string& line : lines) out.append(text_of(line));
+    return out;
+}
+
+/// The frames of a table of trajectories, one after the other. A thread that reads holds the lock, and not the GIL.
 class Table {
+    template <class Call>
+    auto locked(Call call) const {
+        const Without_gil without_gil;
+        const std::lock_guard hold(lock_);
+        return call();
+    }
+
   public:
     Table(const std::string& file, Column_choice columns, Absent_frames absent)
         : Table(file, Motion_options{.absent = absent, .format = "csv", .columns = std::move(columns)}) {}
 
     /// The next frame: its number, its time, the ids of its points, ascending, and their positions; None at the end.
-    py::object next() {
-        if (ended_) return py::none();
-        return start_.dimension == 2 ? next_in<2>() : next_in<3>();
-    }
+    py::object next() { return start_.dimension == 2 ? next_in<2>() : next_in<3>(); }
 
     [[nodiscard]] py::dict taken() const {
         py::dict out;
-        for (const auto& [what, where] : reader_.columns())
+        const Taken_columns columns = locked([&] { return reader_.columns(); });
+        for (const auto& [what, where] : columns)
             if (what != "z" || start_.dimension == 3) out[py::str(what)] = text_of(where);
         if (!start_.why.empty()) out["dimension"] = text_of("2: " + start_.why);
         return out;
     }
     /// The notes that were not returned before.
     py::list notes() {
-        py::list out;
-        for (const auto& all = reader_.notes(); noted_ < all.size(); ++noted_) out.append(text_of(all[noted_]));
-        return out;
+        return list_of(locked([&] {
+            const auto& all = reader_.notes();
+            const std::size_t from = std::exchange(noted_, all.size());
+            return std::vector(all.begin() + static_cast<std::ptrdiff_t>(from), all.end());
+        }));
     }
     /// The words that ids number; None where they are integers.
     [[nodiscard]] py::object words() const {
-        if (!reader_.ids().are_words()) return py::none();
-        py::list out;
-        for (const std::string& word : reader_.ids().words()) out.append(text_of(word));
-        return out;
+        const auto words = locked([&] {
+            const Point_ids& ids = reader_.ids();
+            return ids.are_words() ? std::optional(ids.words()) : std::nullopt;
+        });
+        if (!words) return py::none();
+        return list_of(*words);
     }
-    [[nodiscard]] bool signs() const { return reader_.ids().have_signs(); }
+    [[nodiscard]] bool signs() const {
+        return locked([&] { return reader_.ids().have_signs(); });
+    }
 
   private:
     Table(const std::string& file, const Motion_options& options)
@@ -91,12 +109,16 @@ class Table {
     template <int d>
     py::object next_in() {
         double time = no_time;
-        std::optional<Frame_points<d>> points = read([&] { return read_next<d>(time); });
+        std::optional<Frame_points<d>> points = read([&] {
+            const std::lock_guard hold(lock_);
+            return read_next<d>(time);
+        });
         if (!points) return py::none();
         return py::make_tuple(points->number, time, give(std::move(points->id)), give_rows(std::move(points->x)));
     }
     template <int d>
     std::optional<Frame_points<d>> read_next(double& time) {
+        if (ended_) return std::nullopt;
         if (empty_ < start_.empty.size()) return Frame_points<d>{.number = start_.empty[empty_++]};
         if (std::exchange(first_waits_, false)) frame_ = std::move(start_.first);
         else if (!reader_.next(frame_)) {
@@ -107,8 +129,9 @@ class Table {
         return points_of<d>(reader_.name(), frame_, Coincident::refuse, reader_.ids());
     }
 
+    mutable Process_mutex lock_;
     Motion_reader reader_;
-    Motion_start start_;
+    Motion_start start_;  ///< what is changed of it is the first frame
     Frame frame_;
     std::size_t empty_ = 0;  ///< how many of the frames without points at the start were returned
     std::size_t noted_ = 0;

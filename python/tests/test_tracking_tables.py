@@ -7,6 +7,7 @@ import json
 import os
 import pickle
 import subprocess
+import threading
 import warnings
 from pathlib import Path
 
@@ -261,3 +262,27 @@ def test_the_file_is_closed(tmp_path):
     assert is_open() and first.taken["id"] == "column 2 (id)"
     del stream
     assert not is_open() and first.ids.tolist() == [1, 2, 3, 4] and first.taken["id"] == "column 2 (id)"
+
+
+def test_ids_while_frames_are_read(tmp_path):
+    text = "".join(f"{f},cell {i},{i % 7 + 0.01 * f},{i // 7}\n" for f in range(40) for i in range(f + 3))
+    path = write(tmp_path / "a.csv", text)
+    frames, wrong, done = [], [], threading.Event()
+
+    def look():
+        while not done.is_set():
+            for frame in frames[-1:]:
+                if frame.ids.tolist() != [f"cell {i}" for i in range(frame.frame + 3)] or len(frame.taken) != 4:
+                    wrong.append(frame.frame)
+
+    threads = [threading.Thread(target=look) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    try:
+        for frame in annulus.analyze(path, "neighbors", stream=True):
+            frames.append(frame)
+    finally:
+        done.set()
+        for thread in threads:
+            thread.join()
+    assert len(frames) == 40 and not wrong
