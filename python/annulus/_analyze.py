@@ -108,7 +108,7 @@ def analyze(source: typing.Any, what: str | Collection[str] = ("volumes", "neigh
     the order of frames are held in memory, 72 bytes for each row.
 
     Without a box one `MovingDelaunay` follows all frames; in a box a `PeriodicDelaunay`. If other points of a table are
-    present than in the frame before, a new one is built, a microsecond or two per point in 2D and ten in 3D.
+    present than in the frame before, a new one is built.
     ``volumes`` cost what `voronoi_volumes` does, and the others about two microseconds per point in 2D and ten in 3D,
     for all of them. A frame of n points keeps 8 n bytes for ``volumes``, 4 n for ``neighbors``, and about 120 n in 2D
     and 340 n in 3D for ``pairs``.

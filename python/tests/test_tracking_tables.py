@@ -117,6 +117,7 @@ def test_points_appear_and_disappear(tmp_path, words):
                 for pair in [(r["first"], r["second"])]}
     turned = {(frame, *sorted(pair), made) for frame, *pair, made in found}
     assert turned == {(frame, *sorted(pair), made) for frame, *pair, made in expected} and len(found) == len(a.events)
+    assert all((np.diff(r.present) > 0).all() for r in a) and (a.events["i"] < a.events["j"]).all()
     absent = np.isnan(a.volumes)
     assert np.array_equal(absent, a.neighbors == -1) and absent.any()
     assert np.array_equal(a.npoints, (~absent).sum(axis=1))
@@ -141,6 +142,8 @@ def test_rows_of_results(tmp_path):
     assert other.ids.tolist() == other[0].present.tolist() == [0, 1, 2, 3, 4] and other.taken == {}
     steady = annulus.analyze(write(tmp_path / "b.csv", WALK), "moves")
     assert steady.moves["asked"].tolist() == [0, 4], "one triangulation follows points that stay"
+    other = annulus.analyze(write(tmp_path / "c.csv", WALK.replace("1,2,1.0,0\n", "1,9,2,2\n")), "moves")
+    assert other.npoints.tolist() == [4, 4] and other.moves["asked"].tolist() == [0, 0], "as many, and not the same"
 
 
 @pytest.mark.parametrize("ids, expected", [
