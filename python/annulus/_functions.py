@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core, _lloyd
+from ._error import Error
 from ._moving_delaunay import options_of
 from ._queries import AuditResult, audit_result_of
 
@@ -80,7 +81,8 @@ def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> Aud
     return audit_result_of(_core.audit(points, simplices, _arguments.whole("max_faults", max_faults, 0, 2**31 - 1)))
 
 
-def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, typing.Any]:
+def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
+               thresholds: Sequence[float] | None = None) -> dict[str, typing.Any]:
     """Measures how degenerate points are: certified counts and distributions of their Delaunay triangulation.
 
     Parameters
@@ -89,6 +91,9 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, t
         At least two distinct points.
     merge_duplicates : bool, optional
         Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``.
+    thresholds : list of float, optional
+        Widths to count below, in mean spacings, 1 to 30 of them: above 0 and finite. In the result they are named as
+        Python writes them. By default 1e-3, 1e-6, 1e-9 and 1e-12.
 
     Returns
     -------
@@ -96,7 +101,18 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False) -> dict[str, t
         The content of ``degeneracy.json`` as ``annulus degeneracy`` writes it: widths in mean spacings, and None
         for values that do not exist for points on a line or in a plane. ``file`` is empty.
     """
-    return _core.degeneracy(points, _arguments.truth("merge_duplicates", merge_duplicates))
+    return _core.degeneracy(points, _arguments.truth("merge_duplicates", merge_duplicates),
+                            None if thresholds is None else _named_thresholds(thresholds))
+
+
+def _named_thresholds(thresholds: object) -> list[tuple[str, float]]:
+    if not isinstance(thresholds, (list, tuple)) and not (isinstance(thresholds, np.ndarray) and thresholds.ndim == 1):
+        raise TypeError(f"thresholds must be a list of numbers, not {_arguments.described(thresholds)}")
+    widths = [_arguments.number("thresholds", width) for width in thresholds]
+    if not 1 <= len(set(widths)) == len(widths) <= 30 or not all(0 < width < float("inf") for width in widths):
+        raise Error("thresholds must be 1 to 30 finite numbers above 0 that differ, not "
+                    f"{_arguments.described(thresholds)}", "usage")
+    return [(repr(width), width) for width in widths]
 
 
 def counterexample(delta: float = 0.01) -> dict[str, typing.Any]:

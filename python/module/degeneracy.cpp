@@ -12,8 +12,14 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <apps/report/degeneracy_report.h>
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace annulus::python {
 
@@ -42,8 +48,11 @@ std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, boo
     return out;
 }
 
+/// Thresholds by name; those of the tool where none are given.
+using Thresholds = std::optional<std::vector<std::pair<std::string, double>>>;
+
 template <int d>
-Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates) {
+Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates, const Thresholds& thresholds) {
     require_sound_environment();
     Degeneracy_record r;
     r.command = "annulus.degeneracy";
@@ -63,6 +72,7 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     r.simplices = corners.size() / (d + 1);
     if (r.affine_dimension == d) {
         Degeneracy_options<d> options;
+        if (thresholds) options.thresholds = *thresholds;
         // With one thread, the callback runs in this thread.
         options.raw = [calls = 0U](const Raw_certificate<d>&) mutable {
             if (++calls % 16384 == 0) look_for_signals();
@@ -74,12 +84,12 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
 }
 
 template <int d>
-py::object study_of(Numbers numbers, bool merge_duplicates) {
+py::object study_of(Numbers numbers, bool merge_duplicates, const Thresholds& thresholds) {
     const Points_in<d> points(std::move(numbers), "points");
     Degeneracy_record record;
     {
         const Without_gil without_gil;
-        record = study<d>(points.span(), merge_duplicates);
+        record = study<d>(points.span(), merge_duplicates, thresholds);
     }
     return object_of(degeneracy_json(record));
 }
@@ -87,11 +97,11 @@ py::object study_of(Numbers numbers, bool merge_duplicates) {
 }  // namespace
 
 void add_degeneracy(py::module_& m) {
-    m.def("degeneracy", [](const py::object& points, bool merge_duplicates) {
+    m.def("degeneracy", [](const py::object& points, bool merge_duplicates, const Thresholds& thresholds) {
         Numbers numbers = numbers_of(points, "points");
         const bool space = numbers.ndim() == 2 && numbers.shape(1) == 3;
-        return space ? study_of<3>(std::move(numbers), merge_duplicates)
-                     : study_of<2>(std::move(numbers), merge_duplicates);
+        return space ? study_of<3>(std::move(numbers), merge_duplicates, thresholds)
+                     : study_of<2>(std::move(numbers), merge_duplicates, thresholds);
     });
 }
 

@@ -65,6 +65,28 @@ def test_degeneracy_is_the_tools(tmp_path, d):
     assert ours == theirs and list(ours) == list(theirs)
 
 
+@with_tool
+def test_degeneracy_below_thresholds(tmp_path):
+    x = np.random.default_rng(1).random((80, 2))
+    write_xyz(tmp_path / "x.xyz", x)
+    tool(tmp_path, "degeneracy", "x.xyz", "--thresholds", "0.25,1e-05,0.5", "--output", "out", "--quiet")
+    theirs = json.loads((tmp_path / "out" / "degeneracy.json").read_text(encoding="utf-8"))
+    for thresholds in ([0.25, 1e-5, 0.5], np.array([0.25, 1e-5, 0.5]), (fractions.Fraction(1, 4), 1e-5, 0.5)):
+        ours = annulus.degeneracy(x, thresholds=thresholds)
+        assert [t["name"] for t in ours["thresholds"]] == ["0.25", "1e-05", "0.5", "ulp"]
+        assert ours["thresholds"] == theirs["thresholds"] and ours["bicells"] == theirs["bicells"]
+        assert 0 < ours["bicells"]["below"]["0.25"] < ours["bicells"]["below"]["0.5"]
+
+
+@pytest.mark.parametrize("thresholds", [[], [0], [-1.0], [float("inf")], [float("nan")], [1e-3, 1e-3],
+                                        [k + 1 for k in range(31)]])
+def test_thresholds_that_are_none(thresholds):
+    with pytest.raises(annulus.Error, match="thresholds must be 1 to 30 finite numbers above 0 that differ") as e:
+        annulus.degeneracy(GRID, thresholds=thresholds)
+    assert e.value.code == "usage"
+    assert len(annulus.degeneracy(GRID, thresholds=[k + 1 for k in range(30)])["thresholds"]) == 31
+
+
 def test_counterexample():
     r = annulus.counterexample()
     assert r["delta"] == 0.01
