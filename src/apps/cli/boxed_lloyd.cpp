@@ -6,6 +6,7 @@
 #include <apps/cli/files.h>
 #include <apps/cli/frame_box.h>
 #include <apps/cli/mesh_3.h>
+#include <apps/cli/plane_view.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
@@ -109,6 +110,13 @@ void boxed_step(Run_tracker<Boxed_mesh<d>>& tracker, std::span<const std::uint64
     tracker.step([&](Boxed_mesh<d>& dt) { return dt.follow(id, target, box); }, since(start), way);
 }
 
+/// The density is one.
+std::optional<Plane_view> view_of(const Boxed_mesh<2>& dt, std::string caption) {
+    const Density_2 one = Density::one;
+    return plane_view(dt, &one, std::move(caption));
+}
+std::optional<Plane_view> view_of(const Boxed_mesh<3>&, const std::string&) { return {}; }
+
 template <int d>
 int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::string& command) {
     const auto begin = Clock::now();
@@ -125,6 +133,13 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         a.tracking.strategy, [&] { return boxed_mesh_of<d>(scene, id, options); }, options, spacing, iterations,
         a.tracking.audit, files);
     Run_page<Boxed_mesh<d>> page{.step = "Lloyd iteration"};
+    const auto view = [&](const std::string& when) {
+        return view_of(tracker.triangulation(), "Voronoi cells " + when);
+    };
+    if (auto first = files ? view("before") : std::nullopt) {
+        tracker.plane_before(first->measures);
+        page.voronoi.push_back(std::move(first->cells));
+    }
     if (files) page.before = picture_of(tracker.triangulation(), "Before");
     Frame_files<Boxed_mesh<d>> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
@@ -134,6 +149,8 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         Progress progress("lloyd", iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
             boxed_step<d>(tracker, id, scene.box);
+            if (files && is_viewed(i, iterations))
+                if (const auto now = view("")) tracker.plane_after(now->measures);
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.4f spacings at most", tracker.record().steps.back().displacement_max));
         }
@@ -141,6 +158,11 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
     tracker.finish(command, a.common.seed, since(begin));
     tracker.input(boxed_input<d>(scene));
     const Run_record& record = tracker.record();
+    if (auto last =
+            files && record.iterations > 0 ? view("after " + counted(record.iterations, "iteration")) : std::nullopt) {
+        tracker.plane_after(last->measures);
+        page.voronoi.push_back(std::move(last->cells));
+    }
     if (files) {
         page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"));
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");

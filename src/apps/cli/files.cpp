@@ -98,6 +98,8 @@ void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tra
     report.before = std::move(page.before);
     report.after = std::move(page.after);
     report.film = std::move(page.film);
+    report.voronoi = std::move(page.voronoi);
+    report.drawings = std::move(page.drawings);
     report.figures = std::move(page.figures);
     report.annulus_widths = tracker.widths();
     report.notes = std::move(page.notes);

@@ -24,7 +24,9 @@ struct Run_page {
 
     std::string step;  ///< the name of a step in the heading: "Lloyd iteration"
     std::optional<Picture> before{}, after{};
-    Film film{};  ///< instead of these two
+    Film film{};                     ///< instead of these two
+    std::vector<Picture> voronoi{};  ///< Voronoi cells, of the first and of the last step
+    std::vector<Drawing> drawings{};
     std::vector<Figure> figures{};
     std::vector<std::string> notes{};
     std::vector<Cell> cells{};                                 ///< the solid cells, if they have their own order

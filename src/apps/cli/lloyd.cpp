@@ -4,6 +4,7 @@
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
 #include <apps/cli/lloyd_scene.h>
+#include <apps/cli/plane_view.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/solid_lloyd.h>
@@ -42,6 +43,16 @@ int run(const Lloyd_call& a, const std::string& command) {
     Tracker_2 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), a.lloyd.iterations, a.tracking.audit,
                       !a.common.output.empty());
     Run_page<Moving_mesh_2> page{.step = "Lloyd iteration"};
+    // Only a Delaunay triangulation has Voronoi cells.
+    const bool viewed = !a.common.output.empty() && options.tolerance == Tolerance_kind::certified;
+    const auto view = [&](const std::string& when) {
+        return plane_view(tracker.triangulation(), scene.domain, &scene.density, "Voronoi cells " + when);
+    };
+    if (viewed) {
+        Plane_view first = view("before");
+        tracker.plane_before(first.measures);
+        page.voronoi.push_back(std::move(first.cells));
+    }
     if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), "Before");
     Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
@@ -60,17 +71,25 @@ int run(const Lloyd_call& a, const std::string& command) {
             if (tracker.cells_changed()) read_stars(dt, stars);
             const Lloyd_step step = lloyd.step(stars, dt.points(), target, memory);
             tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            if (viewed && is_viewed(i, a.lloyd.iterations)) tracker.plane_after(view("").measures);
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.2f %% within tolerance", 100 * tracker.share_within()));
         }
     }
     tracker.finish(command, a.common.seed, since(begin));
     tracker.input(scene.input);
+    if (viewed && tracker.record().iterations > 0) {
+        Plane_view last = view("after " + counted(tracker.record().iterations, "iteration"));
+        tracker.plane_after(last.measures);
+        page.voronoi.push_back(std::move(last.cells));
+    }
     if (!a.common.output.empty()) {
         page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        if (scene.stippling)
+        if (scene.stippling) {
             page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
+            page.drawings = drawings_of(scene, page.files.back().second);
+        }
         page.figures = frame_figures(frames.records(), tracker.record(), false);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));

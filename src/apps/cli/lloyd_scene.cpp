@@ -11,6 +11,8 @@
 #include <apps/motion/polygon_rings_2.h>
 #include <apps/motion/sampling_2.h>
 #include <apps/motion/voronoi_cell_2.h>
+#include <apps/report/axis_ticks.h>
+#include <apps/report/svg_gray.h>
 #include <apps/report/svg_stipples.h>
 
 #include <algorithm>
@@ -239,6 +241,18 @@ std::string stipples_of(const Lloyd_arguments& a, const Lloyd_scene& scene, cons
         }
     }
     return svg_stipples(picture.width(), picture.height(), points, radii, a.invert);
+}
+
+std::vector<Drawing> drawings_of(const Lloyd_scene& scene, const std::string& stipples) {
+    constexpr std::size_t most = 20000;
+    const Gray_image& image = scene.stippling->image();
+    std::vector<Drawing> drawings{
+        {"", svg_gray(image, "The picture"),
+         "The picture, " + grouped(image.width) + " × " + grouped(image.height) + " pixels, coarsened for this page."}};
+    const std::string dots = grouped(scene.points.size()) + " dots";
+    if (scene.points.size() <= most) drawings.push_back({"", stipples, dots + ": stipples.svg."});
+    else drawings.front().caption += " Its " + dots + " are too many for a page: they are in stipples.svg.";
+    return drawings;
 }
 
 void read_stars(const Moving_mesh_2& dt, Stars_2& stars) {

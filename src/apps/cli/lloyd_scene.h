@@ -6,6 +6,7 @@
 #include <apps/cli/input.h>
 #include <apps/motion/lloyd_2.h>
 #include <apps/motion/stippling.h>
+#include <apps/report/report.h>
 
 #include <optional>
 #include <string>
@@ -51,6 +52,9 @@ struct Lloyd_scene {
 /// The dots of the picture at the final positions of the points, as an SVG document. Throws as `make_scene`.
 [[nodiscard]] std::string stipples_of(const Lloyd_arguments& arguments, const Lloyd_scene& scene,
                                       const Moving_mesh_2& dt);
+
+/// The picture beside these dots, for the page; of more than 20,000 dots only the picture.
+[[nodiscard]] std::vector<Drawing> drawings_of(const Lloyd_scene& scene, const std::string& stipples);
 
 /// Reads the stars of a triangulation. The cost depends on what has changed since the last call.
 void read_stars(const Moving_mesh_2& dt, Stars_2& stars);

@@ -59,7 +59,8 @@ std::size_t Mesh_3::shortest_side() const {
 Picture Mesh_3::cut(std::string caption, std::size_t axis) const {
     const auto [low, high] = box(points_);
     const double at = 0.5 * (low[axis] + high[axis]);
-    return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis]);
+    return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis],
+                       domain_);
 }
 
 Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {

@@ -32,7 +32,8 @@ class Mesh_3 {
 
     /// The axis of the shortest side of the bounding box: a cut across it is the widest view of the mesh.
     [[nodiscard]] std::size_t shortest_side() const;
-    /// The cells of the domain, cut across that side, through the middle of the box.
+    /// The cells of the domain, cut across that side, through the middle of the box. Where they were read with a
+    /// domain, they are filled with the shades of their least dihedral angles.
     [[nodiscard]] Picture cut(std::string caption) const { return cut(std::move(caption), shortest_side()); }
     /// The same across a given axis, so that all pictures of a motion show it from the same side.
     [[nodiscard]] Picture cut(std::string caption, std::size_t axis) const;

@@ -5,6 +5,7 @@
 #include <apps/cli/files.h>
 #include <apps/cli/frame_follower.h>
 #include <apps/cli/mesh_3.h>
+#include <apps/cli/plane_view.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/replay_scene.h>
 #include <apps/cli/result_files.h>
@@ -50,6 +51,7 @@ class Replay {
     Replay(const Replay_call& a, const Options& options, Replayed_frames<d>& frames)
         : frames_(frames),
           films_(!a.common.output.empty()),
+          views_(films_ && options.tolerance == Tolerance_kind::certified),
           follower_(frames),
           tracker_(first_frame(a, options)),
           page_{.step = "step"} {
@@ -58,6 +60,10 @@ class Replay {
         if (files_) files_->write_ids_as(frames.reader().ids());
         follower_.begin(frame_, files());
         note_frame();
+        if (auto first = view()) {
+            tracker_.plane_before(first->measures);
+            page_.voronoi.push_back(std::move(first->cells));
+        }
         if (frames_.at_end()) tracker_.ends_after(0);
     }
 
@@ -76,6 +82,10 @@ class Replay {
 
     void write(const Common_arguments& arguments, std::vector<std::string> notes) {
         if (films_) page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_), true);
+        if (auto last = tracker_.record().iterations > 0 ? view() : std::nullopt) {
+            tracker_.plane_after(last->measures);
+            page_.voronoi.push_back(std::move(last->cells));
+        }
         page_.notes = std::move(notes);
         page_.cells = ordered_cells(tracker_.triangulation());
         page_.figures = frame_figures(files_->records(), tracker_.record(), true);
@@ -96,6 +106,12 @@ class Replay {
                 a.tracking.audit,
                 films_};
     }
+    /// Only a Delaunay triangulation in 2D has Voronoi cells to show.
+    [[nodiscard]] std::optional<Plane_view> view() const {
+        if (!views_) return {};
+        std::string caption = "Voronoi cells, f" + caption_.substr(1);
+        return plane_view(tracker_.triangulation(), std::move(caption));
+    }
     Frame_files<Moving>* files() { return files_ ? &*files_ : nullptr; }
     void note_frame() {
         if (!files_) return;
@@ -106,7 +122,7 @@ class Replay {
     }
 
     Replayed_frames<d>& frames_;
-    bool films_;
+    bool films_, views_;
     Frame_points<d> frame_;
     Traffic traffic_;
     Frame_follower<Moving> follower_;

@@ -65,6 +65,11 @@ class Run_tracker {
     /// Set the quality of the mesh before the first step, and after the last step.
     void mesh_before(Mesh_step mesh) { record_.mesh_before = std::move(mesh); }
     void mesh_after(Mesh_step mesh) { record_.steps.back().mesh = std::move(mesh); }
+    /// The same of a 2D triangulation. Without a step the latter has no effect.
+    void plane_before(Plane_step plane) { record_.plane_before = plane; }
+    void plane_after(Plane_step plane) {
+        if (!record_.steps.empty()) record_.steps.back().plane = plane;
+    }
     /// Sets the cells with the least dihedral angles at the end.
     void worst_cells(std::vector<Worst_cell> cells) { record_.worst = std::move(cells); }
     /// Adds to the time of the motion in the last step.

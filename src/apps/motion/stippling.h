@@ -24,6 +24,7 @@ class Stippling {
     /// Throws Error(bad_input) where there is no ink, and Error(usage) where the picture is invalid. O(pixels).
     Stippling(Gray_image image, bool inverted);
 
+    [[nodiscard]] const Gray_image& image() const { return image_; }
     [[nodiscard]] std::size_t width() const { return image_.width; }
     [[nodiscard]] std::size_t height() const { return image_.height; }
     /// The area that the picture's ink covers, in pixels.

@@ -5,6 +5,8 @@
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 
+#include <algorithm>
+
 namespace annulus::inline v1 {
 
 namespace {
@@ -18,7 +20,7 @@ std::string threshold_head(const Threshold& t) {
     return "&lt; 1 ulp <small>(" + relative_number(t.relative) + ")</small>";
 }
 
-/// Percentage of the samples below each edge.
+/// Percentage of the samples below each edge, from the bin with the first sample on.
 Series cumulative(std::string name, const Histogram& h) {
     Series s;
     s.name = std::move(name);
@@ -26,7 +28,9 @@ Series cumulative(std::string name, const Histogram& h) {
     const auto edges = h.edges();
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (i > 0) below += h.counts()[i - 1];
-        if (below == 0) continue;
+        const bool empty_before = i == 0 || below == h.underflow();
+        const bool empty_after = i < h.counts().size() && h.counts()[i] == 0;
+        if (below == 0 || (empty_before && empty_after && below < h.total())) continue;
         s.x.push_back(edges[i]);
         s.y.push_back(100 * static_cast<double>(below) / static_cast<double>(h.total()));
         if (below == h.total()) break;
@@ -153,12 +157,8 @@ void append_paper(std::string& out, const Degeneracy& d) {
     out += "</figcaption>\n";
 }
 
-}  // namespace
-
-std::string degeneracy_html(const Degeneracy_record& r) {
-    const std::string name = r.file.substr(r.file.find_last_of('/') + 1);
-    std::string out = page_head("Degeneracy of " + grouped(r.vertices) + " points: " + name, r.command);
-    append_warnings(out, r.input.warnings);
+void append_numbers(std::string& out, const Degeneracy_record& r) {
+    out += "<h2>The points in numbers</h2>\n";
     if (!r.input.columns.empty()) out += "<p>" + escaped(listed(r.input.columns)) + ".</p>\n";
     out += "<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(r.vertices) + " <small>in " + std::to_string(r.dimension) + "D</small>");
@@ -176,13 +176,48 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     append_row(out, "triangulation time", duration(r.seconds_triangulation));
     append_row(out, "analysis time", duration(r.seconds_analysis));
     out += "</table></div>\n";
+}
+
+/// How many bi-cells are degenerate, how large most tolerances are, and where that of the paper is unsound.
+std::vector<std::string> findings(const Degeneracy& d) {
+    const Width_counts& c = d.bicells.least;
+    if (c.total == 0) return {};
+    const std::string of = grouped(c.total) + " bi-cells";
+    std::string first = c.zero == 0 ? "None of the " + of + " is exactly degenerate"
+                                    : grouped(c.zero) + " of the " + of +
+                                          (c.zero == 1 ? " is exactly degenerate" : " are exactly degenerate");
+    const auto& widths = d.bicells.least.width.quantiles;
+    if (c.zero == 0 && !widths.empty())
+        first += ": the narrowest annulus is " + readable(widths.front()) + " mean spacings wide";
+    const auto& tolerances = d.vertices.certified.quantiles;
+    const auto half = static_cast<std::size_t>(
+        std::find(Distribution::probabilities.begin(), Distribution::probabilities.end(), 0.5) -
+        Distribution::probabilities.begin());
+    if (half < tolerances.size())
+        first += tolerances[half] == 0 ? ". Half of the vertices or more have a certified tolerance of 0"
+                                       : ". Half of the vertices have a certified tolerance of " +
+                                             readable(tolerances[half]) + " mean spacings or more";
+    const std::uint64_t unsound = d.vertices.paper_unsound;
+    return {first + (unsound == 0 ? ". The paper's tolerance is sound at all vertices."
+                                  : ". The paper's tolerance is unsound at " + grouped(unsound) +
+                                        (unsound == 1 ? " vertex." : " vertices."))};
+}
+
+}  // namespace
+
+std::string degeneracy_html(const Degeneracy_record& r) {
+    const std::string name = r.file.substr(r.file.find_last_of('/') + 1);
+    std::string out = page_head("Degeneracy of " + grouped(r.vertices) + " points: " + name, r.command);
+    append_warnings(out, r.input.warnings);
     if (!r.measured) {
         out += "<p class=\"verdict\">All points lie ";
         out += r.affine_dimension == 2 ? "in a plane" : "on a line";
         out += ": there are no cells of dimension " + std::to_string(r.dimension) + ", and nothing to measure.</p>\n";
+        append_numbers(out, r);
         return out + page_foot();
     }
     const Degeneracy& d = *r.measured;
+    append_findings(out, findings(d));
     append_counts(out, d);
     append_paper(out, d);
     const Certificate_names w = words(d.dimension);
@@ -199,10 +234,11 @@ std::string degeneracy_html(const Degeneracy_record& r) {
          histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
          histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})},
         "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
-        "average. Left of a cumulative curve's first point is nothing; where the curve begins with a horizontal "
-        "line, its share is below the scale, or exactly 0.");
+        "average. A cumulative curve begins where the samples on its scale begin, at the share of what is narrower or "
+        "exactly 0.");
     append_quantiles(out, d);
     append_stages(out, d);
+    append_numbers(out, r);
     return out + page_foot();
 }
 

@@ -2,6 +2,7 @@
 #include <apps/report/frame_record.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -21,11 +22,27 @@ Series series(std::string name, const std::vector<Record>& records, X x, Y y) {
     return s;
 }
 
+/// Whether some curve would be flat on a linear scale: all values are positive, and one is thirty times another.
+bool needs_logarithm(const std::vector<Series>& curves) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Series& s : curves)
+        for (const double y : s.y) {
+            least = std::min(least, y);
+            most = std::max(most, y);
+        }
+    return least > 0 && most > 30 * least;
+}
+
 Plot plot(std::string title, std::string x, std::string y, std::vector<Series> curves) {
     std::erase_if(curves, [](const Series& s) { return s.x.empty(); });
+    const bool logarithmic = needs_logarithm(curves);
     return {std::move(title),
             {std::move(x), Scale::linear, {}, {}, true},
-            {std::move(y), Scale::linear, 0., {}, false},
+            {std::move(y),
+             logarithmic ? Scale::log10 : Scale::linear,
+             logarithmic ? std::nullopt : std::optional(0.),
+             {},
+             false},
             std::move(curves)};
 }
 

@@ -28,8 +28,8 @@ struct Frame_record {
     std::optional<Voronoi> voronoi{};
 };
 
-/// Curves over the frames, of values that are present and not constant. With `steps` also those of the run's steps:
-/// displacements, flips.
+/// Curves over the frames, of values that are present and not constant; on logarithmic scales where they are positive
+/// and span more than a factor of 30. With `steps` also those of the run's steps: displacements, flips.
 [[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
                                                 bool steps);
 

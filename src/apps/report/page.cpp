@@ -62,6 +62,10 @@ void append_warnings(std::string& out, const std::vector<std::string>& warnings)
     for (const std::string& warning : warnings) out += "<p class=\"verdict bad\">" + escaped(warning) + "</p>\n";
 }
 
+void append_findings(std::string& out, const std::vector<std::string>& findings) {
+    for (const std::string& finding : findings) out += "<p class=\"finding\">" + escaped(finding) + "</p>\n";
+}
+
 std::string listed(const std::vector<std::pair<std::string, std::string>>& columns) {
     std::string text;
     for (const auto& [what, where] : columns) text += (text.empty() ? "" : ", ") + what + ": " + where;

@@ -33,6 +33,9 @@ void append_plots(std::string& out, const std::string& heading, const std::vecto
 /// The most important remarks, for the head of a page.
 void append_warnings(std::string& out, const std::vector<std::string>& warnings);
 
+/// What was found: paragraphs of text in larger letters, for the head of a page.
+void append_findings(std::string& out, const std::vector<std::string>& findings);
+
 /// "x: column 1, y: column 2".
 [[nodiscard]] std::string listed(const std::vector<std::pair<std::string, std::string>>& columns);
 

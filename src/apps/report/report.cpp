@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
+#include <apps/report/face_limits.h>
+#include <apps/report/finding.h>
 #include <apps/report/page.h>
 #include <apps/report/report.h>
 #include <apps/report/report_plots.h>
@@ -27,7 +29,7 @@ std::string audit(const Audit_record& record) {
 }
 
 void append_numbers(std::string& out, const Run_record& run) {
-    out += "<div class=\"numbers\"><table>\n";
+    out += "<h2>The run in numbers</h2>\n<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
     if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
     for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
@@ -69,38 +71,79 @@ void append_numbers(std::string& out, const Run_record& run) {
     out += "</table></div>\n";
 }
 
-/// Both pictures show the same window, so that they can be compared.
-void append_pictures(std::string& out, const Report& report) {
-    if (!report.before && !report.after) return;
-    out += "<h2>The triangulation</h2>\n<div class=\"panels\">\n";
+/// A figure with one picture, and how much of it the window shows.
+void append_picture(std::string& out, const Picture& picture, const Window& window, const std::string& what,
+                    const char* one, const char* many) {
+    std::string caption = what;
+    if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
+    if (!window.whole)
+        caption += ": the " + grouped(points_in(window, picture.points)) +
+                   (points_in(window, picture.points) == 1 ? one : many) + " in a window in the middle, of " +
+                   grouped(picture.points.size());
+    append_figure(out, "", svg_triangulation(picture, window), caption + ".");
+}
+
+/// All pictures show the same window, so that they can be compared. Faces are wholly in it, unless there are too many.
+Window common_window(const std::vector<const Picture*>& pictures, std::size_t most, std::size_t within) {
     std::vector<Coordinates<2>> all;
-    std::size_t most = 12000;
-    for (const auto* picture : {&report.before, &report.after})
-        if (*picture) all.insert(all.end(), (*picture)->points.begin(), (*picture)->points.end());
-    const std::size_t pictures = (report.before ? 1 : 0) + (report.after ? 1 : 0);
-    const Window window = window_of(all, most * pictures, 5000 * pictures);
-    const auto append = [&](const std::optional<Picture>& picture, const char* fallback) {
-        if (!picture) return;
-        std::string caption = escaped(picture->caption.empty() ? fallback : picture->caption);
-        if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
-        if (!window.whole)
-            caption += ": the " + grouped(points_in(window, picture->points)) +
-                       (points_in(window, picture->points) == 1 ? " vertex" : " vertices") +
-                       " in a window in the middle, of " + grouped(picture->points.size());
-        append_figure(out, "", svg_triangulation(*picture, window), caption + ".");
-    };
-    append(report.before, "Before");
-    append(report.after, "After");
+    for (const Picture* picture : pictures) all.insert(all.end(), picture->points.begin(), picture->points.end());
+    const Window window = window_of(all, most * pictures.size(), within * pictures.size());
+    if (!window.whole) return window;
+    for (const Picture* picture : pictures)
+        for (const Face& face : picture->faces) all.insert(all.end(), face.corners.begin(), face.corners.end());
+    return window_of(all, all.size(), all.size());
+}
+
+void append_pictures(std::string& out, const Report& report) {
+    std::vector<const Picture*> pictures;
+    if (report.before) pictures.push_back(&*report.before);
+    if (report.after) pictures.push_back(&*report.after);
+    if (pictures.empty()) return;
+    const bool filled = !pictures.back()->faces.empty();
+    out += filled ? "<h2>The mesh, cut open</h2>\n" : "<h2>The triangulation</h2>\n";
+    if (filled) out += legend_of(pictures.back()->shading);
+    out += "<div class=\"panels\">\n";
+    const Window window = common_window(pictures, 12000, 5000);
+    for (const Picture* picture : pictures) {
+        const char* const fallback = picture == (report.before ? &*report.before : nullptr) ? "Before" : "After";
+        append_picture(out, *picture, window, escaped(picture->caption.empty() ? fallback : picture->caption),
+                       " vertex", " vertices");
+    }
+    out += "</div>\n";
+}
+
+void append_cells(std::string& out, const Report& report) {
+    if (report.voronoi.empty()) return;
+    out += "<h2>Voronoi cells by number of neighbours</h2>\n" + legend_of(Shading::neighbours) +
+           "<div class=\"panels\">\n";
+    std::vector<const Picture*> pictures;
+    for (const Picture& picture : report.voronoi) pictures.push_back(&picture);
+    const Window window = common_window(pictures, most_faces, faces_in_window);
+    for (const Picture& picture : report.voronoi)
+        append_picture(out, picture, window, escaped(picture.caption), " cell", " cells");
+    out += "</div>\n";
+}
+
+constexpr const char* plane_caption =
+    "Of the vertices that are not on the convex hull, how many neighbours they have; of all triangles the least angle, "
+    "60 degrees where all are equilateral. The energy is the integral of the density times the squared distance to the "
+    "nearest point: what Lloyd's iterations make smaller.";
+
+void append_drawings(std::string& out, const std::vector<Drawing>& drawings) {
+    if (drawings.empty()) return;
+    out += "<h2>The picture and its dots</h2>\n<div class=\"panels\">\n";
+    for (const Drawing& drawing : drawings) append_figure(out, drawing.heading, drawing.svg, drawing.caption);
     out += "</div>\n";
 }
 
 void append_comparison(std::string& out, const Comparison_record& comparison) {
-    out += "<h2>Strategies compared</h2>\n";
     if (!comparison.interrupted)
         out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
                                 : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
     for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
     if (comparison.runs.empty()) return;
+    append_findings(out, findings(comparison));
+    out += "<h2>Strategies compared</h2>\n";
     const auto fastest = std::min_element(
         comparison.runs.begin(), comparison.runs.end(),
         [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
@@ -143,18 +186,22 @@ std::string report_html(const Report& report) {
     if (run.audit.failed > 0)
         out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
                (run.audit.checked == 1 ? " audit" : " audits") + " failed: the triangulation was not Delaunay.</p>\n";
-    append_numbers(out, run);
     if (report.comparison) append_comparison(out, *report.comparison);
+    else append_findings(out, findings(run));
+    append_drawings(out, report.drawings);
+    append_cells(out, report);
+    append_plots(out, "How regular it became", plane_plots(run), plane_caption);
     if (report.film.empty()) append_pictures(out, report);
     else out += "<h2>The triangulation</h2>\n" + report.film.html();
-    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     append_plots(
         out, "The mesh", mesh_plots(run),
         "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
+    for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     append_plots(out, "Convergence", convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
     append_plots(out, "What a step costs", cost_plots(run), "");
+    append_numbers(out, run);
     append_notes(out, report.notes);
     return out + page_foot();
 }

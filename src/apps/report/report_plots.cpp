@@ -137,6 +137,42 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
     return plots;
 }
 
+std::vector<Plot> plane_plots(const Run_record& run) {
+    const auto curve = [&](std::string name, auto value) {
+        std::vector<Series> all;
+        add_measured(all, std::move(name), run.steps, [&](const Iteration_record& s) -> std::optional<double> {
+            return s.plane ? value(*s.plane) : std::nullopt;
+        });
+        return all.empty() ? Series{} : std::move(all.front());
+    };
+    const auto share = [&](std::string name, std::size_t which) {
+        return curve(std::move(name), [which](const Plane_step& p) {
+            return p.inner == 0
+                       ? std::nullopt
+                       : std::optional(100 * static_cast<double>(p.neighbours[which]) / static_cast<double>(p.inner));
+        });
+    };
+    const double first = run.plane_before && run.plane_before->energy ? *run.plane_before->energy : 0;
+    std::vector<Plot> plots{{"Numbers of neighbours",
+                             iteration_axis(Scale::log10),
+                             {"inner vertices (%)", Scale::linear, 0., {}, false},
+                             {share("seven", 3), share("five", 1), share("six", 2)}},
+                            {"Least angles of triangles",
+                             iteration_axis(Scale::log10),
+                             {"angle (degrees)", Scale::linear, 0., 60., false},
+                             {curve("mean", [](const Plane_step& p) { return std::optional(p.angle_mean); }),
+                              curve("least", [](const Plane_step& p) { return std::optional(p.angle_min); })}},
+                            {"Energy",
+                             iteration_axis(Scale::log10),
+                             {"energy (% of that at the start)", Scale::linear, {}, {}, false},
+                             {curve("", [&](const Plane_step& p) {
+                                 return p.energy && first > 0 ? std::optional(100 * *p.energy / first) : std::nullopt;
+                             })}}};
+    for (Plot& plot : plots) std::erase_if(plot.series, [](const Series& s) { return s.x.size() < 2; });
+    std::erase_if(plots, [](const Plot& plot) { return plot.series.empty(); });
+    return plots;
+}
+
 std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
     std::vector<Series> curves;
     for (const Run_record& run : comparison.runs)

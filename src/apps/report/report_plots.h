@@ -17,6 +17,10 @@ namespace annulus::inline v1 {
 /// Dihedral angles before and after, slivers and share of locked vertices over the iterations. Empty without meshes.
 [[nodiscard]] std::vector<Plot> mesh_plots(const Run_record& run);
 
+/// Numbers of neighbours, least angles and energy of a 2D triangulation over the iterations. Empty unless they were
+/// measured after two steps or more.
+[[nodiscard]] std::vector<Plot> plane_plots(const Run_record& run);
+
 /// Cumulative seconds of every strategy (figure 7 of the paper), linear and logarithmic.
 [[nodiscard]] std::vector<Plot> comparison_plots(const Comparison_record& comparison);
 

@@ -8,10 +8,10 @@ namespace annulus::inline v1 {
 /// enough contrast.
 inline constexpr const char* report_style = R"css(
 :root{color-scheme:light dark;--bg:#fdfdfb;--ink:#1d2126;--soft:#5b636c;--rule:#dcdfe2;--grid:#e9ebed;--edge:#8a949e;
---bad:#a82a00;--good:#00684a;
+--bad:#a82a00;--good:#00684a;--six:#e9e7df;
 --c0:#0067a3;--c1:#c04f00;--c2:#007a59;--c3:#a3518a;--c4:#8a6500;--c5:#6f55c6;--c6:#4a4f55}
 @media(prefers-color-scheme:dark){:root{--bg:#15181b;--ink:#e4e7ea;--soft:#9aa4ae;--rule:#343a40;--grid:#262b30;
---edge:#6d7782;--bad:#ff9166;--good:#4ccfa2;
+--edge:#6d7782;--bad:#ff9166;--good:#4ccfa2;--six:#343a40;
 --c0:#5fb4ea;--c1:#f08a4b;--c2:#3fc79b;--c3:#df9cc6;--c4:#e0b64a;--c5:#b9a8f7;--c6:#b5bcc4}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--bg);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,
@@ -51,6 +51,13 @@ svg{display:block;width:100%;height:auto}
 .panels>figure:only-child{max-width:620px}
 .mesh{border:1px solid var(--rule)}
 .film{max-width:760px}.film input{width:100%}.film [hidden]{display:none}
+.finding{font-size:1.08rem;line-height:1.5;max-width:44em}
+.keys{color:var(--soft);font-size:.88rem;max-width:none}.keys span{white-space:nowrap;margin-right:.9em}
+.key{display:inline-block;width:1.05em;height:1.05em;margin-right:.35em;vertical-align:-.15em}
+.key .face{stroke-width:.6}
+.face{stroke:var(--edge);stroke-linejoin:round}
+.n0{fill:#8c3300}.n1{fill:#ef8f4d}.n2{fill:var(--six)}.n3{fill:#6db3e3}.n4{fill:#0b5c94}.n5{fill:var(--bg)}
+.q0{fill:#c02f20}.q1{fill:#f0915f}.q2{fill:#fbd9a3}.q3{fill:#cfe3ee}.q4{fill:#74b0d6}.q5{fill:#2f74b0}
 .edges,.dots,.curve,.lead,.grid,.tick,.axis{fill:none}
 .edges{stroke:var(--edge);stroke-linejoin:round}.dots{stroke:var(--c0);stroke-linecap:round}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}

@@ -3,6 +3,7 @@
 
 #include <annulus/types.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -52,6 +53,15 @@ struct Mesh_step {
     std::vector<std::uint64_t> dihedral;  ///< counts of angles, 5 degrees a bin from 0 to 180
 };
 
+/// A 2D triangulation and its Voronoi cells after a step.
+struct Plane_step {
+    std::uint64_t inner = 0;                    ///< vertices that are not on the convex hull
+    std::array<std::uint64_t, 5> neighbours{};  ///< how many of these have up to 4, 5, 6, 7, from 8 on; see shades.h
+    double angle_min = 0, angle_mean = 0;       ///< of the least angles of all triangles, degrees
+    /// The integral over the domain of the density times the square of the distance to the nearest vertex.
+    std::optional<double> energy{};
+};
+
 /// One of the worst cells of an optimised mesh.
 struct Worst_cell {
     std::uint64_t cell = 0;                                 ///< its number among the tetrahedra of the domain, from 0
@@ -75,6 +85,7 @@ struct Iteration_record {
     std::uint64_t certificates_evaluated = 0;
     std::uint64_t flips = 0;
     std::optional<Mesh_step> mesh;
+    std::optional<Plane_step> plane;
 };
 
 /// How an input file, if any, was read.
@@ -113,8 +124,9 @@ struct Run_record {
     std::uint64_t memory_peak_bytes = 0;  ///< 0 when unknown
     double mean_spacing = 0;              ///< the unit of length, in the caller's unit
     std::vector<Iteration_record> steps;
-    std::optional<Mesh_step> mesh_before;  ///< before the first step
-    std::vector<Worst_cell> worst;         ///< the cells with the least dihedral angles at the end
+    std::optional<Mesh_step> mesh_before;    ///< before the first step
+    std::optional<Plane_step> plane_before;  ///< before the first step
+    std::vector<Worst_cell> worst;           ///< the cells with the least dihedral angles at the end
 };
 
 /// The same motion under several strategies, all treated alike.

@@ -94,6 +94,29 @@ std::string trails(const std::vector<std::array<Index, 2>>& edges, const std::ve
     return out;
 }
 
+/// The faces of one shade, with a corner in the window, as a path.
+std::string outlines(const Picture& picture, const Window& window, unsigned char shade) {
+    std::string out;
+    for (const Face& face : picture.faces) {
+        if (face.shade != shade || face.corners.size() < 3) continue;
+        if (!window.whole &&
+            std::none_of(face.corners.begin(), face.corners.end(), [&](const auto& p) { return inside(window, p); }))
+            continue;
+        Grid_point last = place(window, face.corners[0]);
+        out += 'M';
+        append_pair(out, last.x, last.y);
+        out += 'l';
+        for (std::size_t i = 1; i < face.corners.size(); ++i) {
+            const Grid_point next = place(window, face.corners[i]);
+            if (i > 1 && next.x >= last.x) out += ' ';  // a minus separates numbers by itself
+            append_pair(out, next.x - last.x, next.y - last.y);
+            last = next;
+        }
+        out += 'z';
+    }
+    return out;
+}
+
 }  // namespace
 
 Window window_of(const std::vector<Coordinates<2>>& points, std::size_t most, std::size_t within) {
@@ -154,8 +177,15 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     const auto thickness = [](double units) { return std::to_string(std::lround(units)); };
     std::string out =
         "<svg class=\"mesh\" viewBox=\"0 0 10000 10000\" role=\"img\" aria-label=\"" + escaped(picture.caption) + "\">";
-    out += "<path class=\"edges\" stroke-width=\"" + thickness(std::clamp(0.05 * spacing, 5., 22.)) + "\" d=\"" +
-           trails(edges, at) + "\"/>";
+    const std::string line = thickness(std::clamp(0.05 * spacing, 5., 22.));
+    for (unsigned char shade = 0; !picture.faces.empty() && shade < 6; ++shade) {
+        const std::string path = outlines(picture, window, shade);
+        if (!path.empty())
+            out += std::string("<path class=\"face ") + (picture.shading == Shading::neighbours ? 'n' : 'q') +
+                   std::to_string(shade) + "\" stroke-width=\"" + line + "\" d=\"" + path + "\"/>";
+    }
+    if (!edges.empty() || picture.faces.empty())
+        out += "<path class=\"edges\" stroke-width=\"" + line + "\" d=\"" + trails(edges, at) + "\"/>";
     out += "<path class=\"dots\" stroke-width=\"" + thickness(std::clamp(0.22 * spacing, 20., 130.)) + "\" d=\"" +
            dots + "\"/>";
     return out + "</svg>";

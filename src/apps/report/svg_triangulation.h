@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/types.h>
+#include <apps/report/shades.h>
 
 #include <array>
 #include <string>
@@ -9,11 +10,19 @@
 
 namespace annulus::inline v1 {
 
-/// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut.
+/// A filled convex polygon of a picture: a Voronoi cell, the section of a tetrahedron.
+struct Face {
+    std::vector<Coordinates<2>> corners;
+    unsigned char shade = 0;  ///< see shades.h
+};
+
+/// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut. Faces are below them.
 struct Picture {
     std::vector<Coordinates<2>> points;
     std::vector<std::array<Index, 2>> edges;
     std::string caption;
+    std::vector<Face> faces{};
+    Shading shading = Shading::neighbours;  ///< of the faces
 };
 
 /// The square that a picture shows.
@@ -32,7 +41,8 @@ struct Window {
 [[nodiscard]] std::size_t points_in(const Window& window, const std::vector<Coordinates<2>>& points);
 
 /// The picture as one SVG element, as large as its container; y goes up. Edges are thin, and vertices are dots when
-/// there are few enough to tell apart. Throws Error(unknown_vertex) for an edge that names no point. Linear.
+/// there are few enough to tell apart. Of faces those with a corner in the window are drawn. Throws
+/// Error(unknown_vertex) for an edge that names no point. Linear.
 [[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
 
 }  // namespace annulus::inline v1

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/cli/plane_view.h>
+
+#include <annulus/error.h>
+#include <annulus/voronoi.h>
+#include <apps/cli/lloyd_scene.h>
+#include <apps/motion/cell_energy.h>
+#include <apps/motion/cell_quality.h>
+#include <apps/motion/voronoi_cell_2.h>
+#include <apps/report/face_limits.h>
+#include <apps/report/shades.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace annulus::inline v1::cli {
+
+namespace {
+
+/// A view while it is made, cell by cell and triangle by triangle.
+class View_maker {
+  public:
+    View_maker(std::vector<Coordinates<2>> sites, const Density_2* density, std::string caption)
+        : density_(density), part_(window_of(sites, most_faces, faces_in_window)) {
+        view_.cells.points = std::move(sites);
+        view_.cells.caption = std::move(caption);
+        if (density != nullptr) view_.measures.energy = 0;
+    }
+
+    void add_cell(const Coordinates<2>& site, bool on_hull, Index neighbours, const Cell_2& cell) {
+        const unsigned char shade = shade_of_neighbours(neighbours);
+        if (!on_hull) {
+            ++view_.measures.inner;
+            ++view_.measures.neighbours[shade];
+        }
+        if (density_ != nullptr) *view_.measures.energy += cell_energy(*density_, cell, site);
+        // The window of a page is that of two pictures, and may be a little larger than this one.
+        const double off = std::max(std::fabs(site[0] - part_.centre[0]), std::fabs(site[1] - part_.centre[1]));
+        if (part_.whole || off < 1.5 * part_.half_side)
+            view_.cells.faces.push_back({outline_of(cell), on_hull ? hull_shade : shade});
+    }
+
+    void add_triangle(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) {
+        const double angle = triangle_quality({a[0], a[1], 0}, {b[0], b[1], 0}, {c[0], c[1], 0}).angle_min;
+        Plane_step& m = view_.measures;
+        m.angle_min = triangles_ == 0 ? angle : std::min(m.angle_min, angle);
+        m.angle_mean += angle;
+        ++triangles_;
+    }
+
+    [[nodiscard]] Plane_view finish() {
+        if (triangles_ > 0) view_.measures.angle_mean /= static_cast<double>(triangles_);
+        // A length of 1e100 to the fourth power is no number.
+        if (view_.measures.energy && !std::isfinite(*view_.measures.energy)) view_.measures.energy.reset();
+        return std::move(view_);
+    }
+
+  private:
+    const Density_2* density_;
+    Window part_;
+    Plane_view view_;
+    std::size_t triangles_ = 0;
+};
+
+/// By vertex: how many Voronoi facets are not exactly empty.
+std::vector<Index> side_counts(const Moving_mesh_2& dt) {
+    const Voronoi_diagram<2> diagram = voronoi(dt);
+    std::vector<Index> count(dt.index_bound(), 0);
+    for (std::size_t k = 0; k < diagram.pair.size(); ++k)
+        for (const Index v : diagram.pair[k]) count[static_cast<std::size_t>(v)] += diagram.exactly_empty[k] == 0;
+    return count;
+}
+
+/// A rectangle around points, half a spacing away from them.
+Domain_2 around(std::span<const Coordinates<2>> points, double more = 0) {
+    Coordinates<2> low = points[0], high = points[0];
+    for (const auto& p : points)
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], p[k]);
+            high[k] = std::max(high[k], p[k]);
+        }
+    const double side = std::max(high[0] - low[0], high[1] - low[1]);
+    const double margin = more + 0.5 * side / std::sqrt(static_cast<double>(points.size()));
+    for (std::size_t k = 0; k < 2; ++k) {
+        low[k] -= margin;
+        high[k] += margin;
+    }
+    return Domain_2::polygon(std::vector<Coordinates<2>>{low, {high[0], low[1]}, high, {low[0], high[1]}});
+}
+
+std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
+    std::vector<Coordinates<2>> points;
+    for (std::size_t i = 0; i < dt.index_bound(); ++i)
+        if (dt.is_vertex(static_cast<Index>(i))) points.push_back(dt.points()[i]);
+    return points;
+}
+
+}  // namespace
+
+Plane_view plane_view(const Moving_mesh_2& dt, const Domain_2& domain, const Density_2* density, std::string caption) {
+    View_maker maker(present(dt), density, std::move(caption));
+    const std::span<const Coordinates<2>> points = dt.points();
+    Stars_2 stars;
+    read_stars(dt, stars);
+    Voronoi_cell_2 cell_of(domain);
+    const std::vector<Index> sides = side_counts(dt);
+    for (std::size_t v = 0; v < sides.size(); ++v)
+        if (dt.is_vertex(static_cast<Index>(v)))
+            maker.add_cell(points[v], !stars.cyclic(v), sides[v],
+                           cell_of(points[v], stars.of(v), points, stars.cyclic(v)));
+    const auto at = [&](Index v) { return points[static_cast<std::size_t>(v)]; };
+    for (const auto& c : dt.cells().vertices)
+        if (c[2] != none) maker.add_triangle(at(c[0]), at(c[1]), at(c[2]));
+    return maker.finish();
+}
+
+std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, std::string caption) {
+    if (dt.number_of_vertices() == 0) return {};
+    std::optional<Domain_2> domain;
+    try {
+        domain = around(present(dt));
+    } catch (const Error&) {
+        return {};
+    }
+    return plane_view(dt, *domain, nullptr, std::move(caption));
+}
+
+std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* density, std::string caption) {
+    const std::span<const Coordinates<2>> points = dt.mesh().points();
+    if (points.empty()) return {};
+    const Periodic_neighbours<2> all = dt.mesh().neighbours();
+    std::optional<Domain_2> domain;  // larger than any cell
+    try {
+        domain = around(points, *std::max_element(all.distance.begin(), all.distance.end()));
+    } catch (const Error&) {
+        return {};
+    }
+    View_maker maker({points.begin(), points.end()}, density, std::move(caption));
+    Voronoi_cell_2 cell_of(*domain);
+    std::vector<Coordinates<2>> vectors, position;
+    std::vector<Index> numbers;
+    std::size_t next = 0;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        vectors.clear();
+        for (; next < all.first.size() && static_cast<std::size_t>(all.first[next]) == v; ++next)
+            if (all.area[next] > 0) vectors.push_back(all.vector[next]);
+        std::sort(vectors.begin(), vectors.end(),
+                  [](const auto& a, const auto& b) { return std::atan2(a[1], a[0]) < std::atan2(b[1], b[0]); });
+        position.assign(1, points[v]);
+        numbers.clear();
+        for (const auto& u : vectors) {
+            numbers.push_back(static_cast<Index>(position.size()));
+            position.push_back({points[v][0] + u[0], points[v][1] + u[1]});
+        }
+        maker.add_cell(points[v], false, static_cast<Index>(vectors.size()),
+                       cell_of(points[v], numbers, position, true));
+    }
+    const Periodic_cells<2> cells = dt.mesh().cells();
+    const auto& box = dt.mesh().box().vectors();
+    for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
+        std::array<Coordinates<2>, 3> corner{};
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Shift<2>& shift = cells.offsets[c][k];
+                corner[k][i] = points[static_cast<std::size_t>(cells.vertices[c][k])][i] + shift[0] * box[0][i] +
+                               shift[1] * box[1][i];
+            }
+        maker.add_triangle(corner[0], corner[1], corner[2]);
+    }
+    return maker.finish();
+}
+
+bool is_viewed(std::uint64_t i, std::uint64_t last) {
+    if (i == last) return true;
+    while (i >= 10 && i % 10 == 0) i /= 10;
+    return i == 1 || i == 2 || i == 3 || i == 5 || i == 7;
+}
+
+}  // namespace annulus::inline v1::cli

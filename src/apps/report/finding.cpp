@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/report/finding.h>
+
+#include <apps/report/axis_ticks.h>
+#include <apps/report/page.h>
+
+#include <algorithm>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+std::string count_of(std::uint64_t n, const char* one, const char* many) {
+    return grouped(n) + " " + (n == 1 ? one : many);
+}
+
+/// "83.2 %"; a share below 1 is not shown as 100 %.
+std::string percent(std::uint64_t part, std::uint64_t all) {
+    const double share = 100 * static_cast<double>(part) / static_cast<double>(all);
+    return (part != all && share >= 99.95 ? "more than 99.9" : readable(share)) + " %";
+}
+
+std::string from_to(double before, double after) {
+    return before == after
+               ? "stayed at " + readable(after)
+               : (after > before ? "rose from " : "fell from ") + readable(before) + " to " + readable(after);
+}
+
+std::string from_to(std::uint64_t before, std::uint64_t after) {
+    return before == after ? "stayed at " + grouped(after)
+                           : (after > before ? "rose from " : "fell from ") + grouped(before) + " to " + grouped(after);
+}
+
+/// A sentence on the tetrahedra of the domain.
+std::string on_mesh(const Mesh_step& before, const Mesh_step& after) {
+    return "The least dihedral angle of the mesh " + from_to(before.dihedral_min, after.dihedral_min) +
+           " degrees, and the number of slivers " + from_to(before.slivers, after.slivers) + ", of " +
+           count_of(after.cells, "tetrahedron", "tetrahedra") + ".";
+}
+
+/// Sentences on the Voronoi cells and triangles of a 2D triangulation.
+std::string on_plane(const Plane_step& before, const Plane_step& after) {
+    std::string text;
+    if (after.inner > 0) {
+        text = grouped(after.neighbours[2]) + " of the " + count_of(after.inner, "inner vertex", "inner vertices") +
+               (after.neighbours[2] == 1 ? " has" : " have") + " six neighbours at the end (" +
+               percent(after.neighbours[2], after.inner);
+        if (before.inner > 0) text += "; " + percent(before.neighbours[2], before.inner) + " at the start";
+        text += "), " + grouped(after.neighbours[1]) + " have five and " + grouped(after.neighbours[3]) + " seven. ";
+    }
+    if (after.angle_mean > 0)
+        text += "The least angle of a triangle " + from_to(before.angle_mean, after.angle_mean) +
+                " degrees on average (60 if all are equilateral)";
+    if (before.energy && after.energy && *before.energy > 0) {
+        const double share = *after.energy / *before.energy;
+        text += (after.angle_mean > 0 ? ", and the energy is " : "The energy is ") + readable(100 * share) +
+                " % of that at the start";
+    }
+    return after.angle_mean > 0 || after.energy ? text + "." : text;
+}
+
+/// A sentence on the steps, and what they took.
+std::string on_steps(const Run_record& run) {
+    double sum = 0, most = 0;
+    std::uint64_t flips = 0, built = 0;
+    for (const Iteration_record& step : run.steps) {
+        sum += step.displacement_mean;
+        most = std::max(most, step.displacement_max);
+        flips += step.flips;
+        built += step.moves.rebuilt > 0 ? 1 : 0;
+    }
+    const auto steps = static_cast<double>(run.steps.size());
+    std::string text = "In " + count_of(run.steps.size(), "step", "steps") + " points moved by " +
+                       readable(sum / steps) + " mean spacings a step on average, and by " + readable(most) +
+                       " at most.";
+    if (run.moves.asked == 0) return text;
+    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was built anew in every step.";
+    if (10 * run.moves.within_tolerance >= run.moves.asked)
+        text += " " + percent(run.moves.within_tolerance, run.moves.asked) +
+                " of the moves stayed within their tolerance: nothing had to be computed for them.";
+    if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
+    if (built > 0) text += " It was built anew in " + count_of(built, "step", "steps") + ".";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> findings(const Run_record& run) {
+    if (run.steps.empty()) return {};
+    std::vector<std::string> all;
+    const Iteration_record& last = run.steps.back();
+    if (run.mesh_before && last.mesh) all.push_back(on_mesh(*run.mesh_before, *last.mesh));
+    if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane));
+    std::erase(all, std::string());
+    all.push_back(on_steps(run));
+    return all;
+}
+
+std::vector<std::string> findings(const Comparison_record& comparison) {
+    const auto& runs = comparison.runs;
+    if (runs.size() < 2 || comparison.interrupted) return {};
+    const auto [fastest, slowest] = std::minmax_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
+        return a.seconds.triangulation < b.seconds.triangulation;
+    });
+    const double least = fastest->seconds.triangulation, most = slowest->seconds.triangulation;
+    if (!(least > 0) || least == most) return {};
+    return {fastest->strategy + " was the fastest of " + std::to_string(runs.size()) + " strategies: " +
+            duration(least) + " for keeping the triangulation in " + count_of(fastest->iterations, "step", "steps") +
+            ". The slowest, " + slowest->strategy + ", took " + readable(most / least) + " times as long."};
+}
+
+}  // namespace annulus::inline v1

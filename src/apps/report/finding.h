@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <apps/report/run_record.h>
+
+#include <string>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+/// What a run found, in one or two paragraphs of text for the head of its page: how the mesh or the Voronoi cells have
+/// changed, how far points moved, and what the triangulation took. Nothing where there was no step.
+[[nodiscard]] std::vector<std::string> findings(const Run_record& run);
+
+/// Which strategy was the fastest, and by how much. Nothing of fewer than two runs, or where no time was measured.
+[[nodiscard]] std::vector<std::string> findings(const Comparison_record& comparison);
+
+}  // namespace annulus::inline v1

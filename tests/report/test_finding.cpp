@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a page says that the run found, and that it begins with this.
+#include "page_text.h"
+
+#include <formats/well_formed.h>
+
+#include <apps/report/finding.h>
+#include <apps/report/report.h>
+
+#include <support/catch.h>
+
+using namespace annulus;
+using annulus_test::contains;
+using annulus_test::grid;
+using annulus_test::occurrences;
+using annulus_test::well_formed;
+
+namespace {
+
+/// A run of two steps.
+Run_record two_steps() {
+    Run_record run;
+    run.strategy = "auto";
+    run.vertices = 100;
+    run.iterations = 2;
+    run.moves = {.asked = 200, .within_tolerance = 150};
+    run.steps.resize(2);
+    run.steps[0].displacement_mean = 0.5;
+    run.steps[0].displacement_max = 2;
+    run.steps[1].displacement_mean = 0.25;
+    run.steps[1].displacement_max = 1;
+    run.steps[0].flips = 3;
+    return run;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("A finding says how far points moved, and what that took", "[report]") {
+    Run_record run = two_steps();
+    CHECK(
+        joined(findings(run)) ==
+        "In 2 steps points moved by 0.375 mean spacings a step on average, and by 2 at most. 75 % of the moves stayed "
+        "within their tolerance: nothing had to be computed for them. 3 flips kept the triangulation Delaunay.\n");
+    run.moves = {.asked = 200, .rebuilt = 200};
+    CHECK(contains(joined(findings(run)), "2 at most. The triangulation was built anew in every step."));
+    run.moves = {.asked = 200, .within_tolerance = 19, .rebuilt = 100};
+    run.steps[0].moves.rebuilt = 100;
+    CHECK(contains(joined(findings(run)),
+                   "by 2 at most. 3 flips kept the triangulation Delaunay. It was built anew in 1 step.\n"));
+    run.steps.clear();
+    CHECK(findings(run).empty());
+}
+
+TEST_CASE("A finding says how cells and triangles have changed", "[report]") {
+    Run_record run = two_steps();
+    run.plane_before = Plane_step{60, {5, 15, 20, 15, 5}, 1, 30, 2.0};
+    CHECK(findings(run).size() == 1);  // not measured at the end
+    run.steps[1].plane = Plane_step{60, {0, 8, 45, 7, 0}, 35, 50, 1.5};
+    CHECK(findings(run)[0] ==
+          "45 of the 60 inner vertices have six neighbours at the end (75 %; 33.3 % at the start), 8 have five and 7 "
+          "seven. The least angle of a triangle rose from 30 to 50 degrees on average (60 if all are equilateral), and "
+          "the energy is 75 % of that at the start.");
+    run.plane_before = run.steps[1].plane = Plane_step{};  // three points
+    CHECK(findings(run).size() == 1);
+    run.plane_before = run.steps[1].plane = Plane_step{1, {0, 0, 1, 0, 0}, 59, 60, {}};
+    CHECK(findings(run)[0] ==
+          "1 of the 1 inner vertex has six neighbours at the end (100 %; 100 % at the start), 0 have five and 0 seven. "
+          "The least angle of a triangle stayed at 60 degrees on average (60 if all are equilateral).");
+}
+
+TEST_CASE("A finding says how the mesh has changed", "[report]") {
+    Run_record run = two_steps();
+    run.mesh_before = Mesh_step{.cells = 90, .slivers = 12, .dihedral_min = 0.5};
+    run.steps[1].mesh = Mesh_step{.cells = 88, .slivers = 3, .dihedral_min = 8.25};
+    CHECK(
+        findings(run)[0] ==
+        "The least dihedral angle of the mesh rose from 0.5 to 8.25 degrees, and the number of slivers fell from 12 to "
+        "3, of 88 tetrahedra.");
+}
+
+TEST_CASE("A finding names the fastest strategy", "[report]") {
+    Comparison_record comparison{{two_steps(), two_steps()}, true, {}};
+    CHECK(findings(comparison).empty());  // no time
+    comparison.runs[0].seconds.triangulation = 0.5;
+    comparison.runs[1].seconds.triangulation = 0.125;
+    comparison.runs[0].strategy = "rebuild";
+    CHECK(
+        joined(findings(comparison)) ==
+        "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in 2 steps. The slowest, rebuild, "
+        "took 4 times as long.\n");
+    comparison.interrupted = true;
+    CHECK(findings(comparison).empty());
+}
+
+TEST_CASE("A page begins with what the run found, and ends with its numbers", "[report]") {
+    Report report;
+    report.run = two_steps();
+    report.run.plane_before = report.run.steps[0].plane = report.run.steps[1].plane =
+        Plane_step{60, {0, 8, 45, 7, 0}, 35, 50, 1.5};
+    report.before = report.after = grid(4);
+    report.drawings.push_back({"", "<svg class=\"gray\"></svg>", "a <b>picture</b>"});
+    Picture cells = grid(4);
+    cells.caption = "Voronoi cells & more";
+    cells.faces = {{{{0, 0}, {1, 0}, {1, 1}}, 2}, {{{2, 2}, {3, 2}, {3, 3}}, hull_shade}};
+    report.voronoi = {cells};
+    const std::string html = report_html(report);
+    CHECK(well_formed(html));
+    const char* const order[] = {
+        "class=\"finding\"", "The picture and its dots",         "a <b>picture</b>",      "Voronoi cells by number",
+        "class=\"keys\"",    "aria-label=\"Voronoi cells &amp;", "aria-label=\"Energy\"", "<h2>The triangulation",
+        "<h2>Convergence",   "<h2>What a step costs</h2>",       "<h2>The run in numbers"};
+    std::size_t at = 0;
+    for (const char* part : order) {
+        INFO(part);
+        const std::size_t next = html.find(part, at);
+        CHECK(next != std::string::npos);
+        at = std::min(next, html.size());
+    }
+    CHECK(occurrences(html, "class=\"finding\"") == 2);
+}
+
+TEST_CASE("The course of cells and angles needs two measured steps", "[report]") {
+    Report report;
+    report.run = two_steps();
+    report.run.plane_before = report.run.steps[1].plane = Plane_step{60, {0, 8, 45, 7, 0}, 35, 50, 1.5};
+    CHECK(!contains(report_html(report), "How regular it became"));
+    report.run.steps[0].plane = report.run.plane_before;
+    const std::string html = report_html(report);
+    for (const char* part : {"How regular it became", "aria-label=\"Numbers of neighbours\"",
+                             "aria-label=\"Least angles of triangles\"", "aria-label=\"Energy\""})
+        CHECK(contains(html, part));
+    report.run.steps[0].plane->energy.reset();
+    CHECK(!contains(report_html(report), "aria-label=\"Energy\""));  // one value is no curve
+}

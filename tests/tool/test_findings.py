@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What pages say that a run found, against lattices and energies in closed form. usage: test_findings.py --tool=PATH
+[CLASS[.METHOD]...]"""
+
+import html
+import math
+import re
+
+import tool
+
+
+class Findings(tool.ToolTest):
+    def page(self, *words):
+        self.succeed(*words, "--output", "out", "--force", "--quiet")
+        return (self.here / "out" / "report.html").read_text(encoding="utf-8")
+
+    def found(self, *words):
+        return html.unescape(" ".join(re.findall(r'<p class="finding">(.*?)</p>', self.page(*words))))
+
+    def lattice(self, name, places, head=""):
+        """Three frames; the points go half a spacing in each."""
+        self.write(name, "".join(f"{len(places)}\n{head}\n" + "".join(f"A {x + f / 2} {y} 0\n" for x, y in places)
+                                 for f in range(3)))
+        return name
+
+    def test_squares_have_four_neighbours(self):
+        """An edge of the triangulation whose facet is exactly empty makes no neighbours."""
+        places = [(x, y) for x in range(6) for y in range(6)]
+        self.assertIn("0 of the 16 inner vertices have six neighbours at the end (0 %; 0 % at the start), 0 have five "
+                      "and 0 seven. The least angle of a triangle stayed at 45 degrees",
+                      self.found("replay", self.lattice("a.xyz", places)))
+        box = 'Lattice="6 0 0 0 6 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
+        self.assertIn("0 of the 36 inner vertices have six neighbours at the end",
+                      self.found("replay", self.lattice("b.xyz", places, box)))
+
+    def test_hexagons_have_six(self):
+        # Rows 7/8 apart: all triangles are alike, and no four points are on a circle.
+        places = [(x + (y % 2) / 2, 0.875 * y) for x in range(6) for y in range(6)]
+        angle = math.degrees(2 * math.atan(0.5 / 0.875))
+        box = 'Lattice="6 0 0 0 5.25 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
+        said = self.found("replay", self.lattice("c.xyz", places, box))
+        self.assertIn("36 of the 36 inner vertices have six neighbours at the end (100 %; 100 % at the start)", said)
+        self.assertIn(f"stayed at {angle:.1f} degrees on average", said)
+        self.assertIn("In 2 steps points moved by", said)
+
+    def test_the_energy_of_a_square_lattice(self):
+        """Four points move to the middles of four squares."""
+        self.write("d.xyz", "".join(f"{x} {y}\n" for x, y in ((-0.4, -0.5), (0.5, -0.5), (-0.4, 0.5), (0.5, 0.5))))
+        said = self.found("lloyd", "--input", "d.xyz", "--domain", "square", "--iterations", 60)
+        start = 0  # two columns of two rectangles; the border between them is at 0.05
+        for low, high, site in ((-1, 0.05, -0.4), (0.05, 1, 0.5)):
+            across = ((high - site) ** 3 - (low - site) ** 3) / 3
+            start += 2 * (across * 1 + (high - low) / 12)
+        end = 4 * (2 / 12)
+        self.assertIn(f"the energy is {100 * end / start:.1f} % of that at the start", said)
+
+    def test_large_and_small_lengths(self):
+        for radius in ("1e-90", "1e90"):
+            text = self.page("lloyd", "--points", 50, "--radius", radius, "--iterations", 3)
+            self.assertNotRegex(text.split("<script>")[0], r"(?i)\b(nan|inf)\b")
+            self.assertIn("six neighbours at the end", text)
+
+    def test_one_and_two_points(self):
+        for places in ([(0, 0)], [(0, 0), (1, 0)], [(0, 0), (1, 0), (2, 0)]):
+            self.assertIn("In 2 steps points moved", self.found("replay", self.lattice("e.xyz", places)))
+
+    def test_of_many_cells_a_window_is_drawn(self):
+        text = self.page("lloyd", "--points", 7000, "--iterations", 0)
+        self.assertRegex(text, r"Voronoi cells before: the 2,\d{3} cells in a window in the middle, of 7,000\.")
+        drawn = sum(d.count("M") for d in re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', text))
+        self.assertGreater(drawn, 2400)
+        self.assertLess(drawn, 3400)
+
+    def test_other_tolerances_have_no_cells(self):
+        """They need not be Delaunay."""
+        text = self.page("lloyd", "--points", 50, "--iterations", 2, "--strategy", "paper", "--tolerance", "floating")
+        self.assertNotIn("Voronoi cells", text)
+        self.assertIn("In 2 steps points moved by", text)
+
+
+if __name__ == "__main__":
+    tool.main(__doc__)
