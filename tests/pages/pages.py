@@ -10,6 +10,7 @@ class Kind:
     command: str  # its words; DIR is replaced by the directory, MOTION and GRID by files (test_pages.py)
     page: str = "report.html"
     shows: list = field(default_factory=list)  # headings that must be there
+    says: list = field(default_factory=list)  # parts of what it says was found, at its head
     sliders: int = 0  # <input type=range> whose `input` event changes a picture
     sorted_tables: int = 0
     status: int = 0
@@ -17,26 +18,44 @@ class Kind:
 
 
 KINDS = [
-    Kind("lloyd", "lloyd --points 300 --density x2 --iterations 30", shows=["The triangulation", "Convergence"]),
-    Kind("lloyd-window", "lloyd --points 20000 --iterations 1", shows=["The triangulation"]),
+    Kind("lloyd", "lloyd --points 300 --density x2 --iterations 30",
+         shows=["Voronoi cells by number of neighbours", "How regular it became", "The triangulation", "Convergence"],
+         says=["six neighbours at the end", "least angle of a triangle rose", "the energy is",
+               "In 30 steps points moved"]),
+    Kind("lloyd-window", "lloyd --points 20000 --iterations 1", shows=["The triangulation"],
+         says=["six neighbours at the end"]),
     Kind("lloyd-box", "lloyd --points 300 --box 2,0,0.5,1 --iterations 10 --voronoi",
-         shows=["The triangulation", "Convergence"]),
-    Kind("lloyd-box-3", "lloyd --points 100 --box 1,1,1 --iterations 5", shows=["The triangulation", "Convergence"]),
-    Kind("nodt", "nodt --sphere --vertices 300 --iterations 10 --lock 10", shows=["The mesh", "Convergence"]),
-    Kind("replay", "replay MOTION --strategy tolerances", shows=["The triangulation", "What a step costs"], sliders=1),
+         shows=["Voronoi cells by number of neighbours", "The triangulation", "Convergence"],
+         says=["of the 300 inner vertices have six neighbours", "the energy is"]),
+    Kind("lloyd-box-3", "lloyd --points 100 --box 1,1,1 --iterations 5", shows=["The triangulation", "Convergence"],
+         says=["In 5 steps points moved by"]),
+    Kind("stippling", "lloyd --points 400 --density PICTURE --iterations 5", shows=["The picture and its dots"],
+         says=["six neighbours"]),
+    Kind("nodt", "nodt --sphere --vertices 300 --iterations 10 --lock 10",
+         shows=["The mesh, cut open", "The mesh", "Convergence"],
+         says=["The least dihedral angle of the mesh", "the number of slivers"]),
+    Kind("replay", "replay MOTION --strategy tolerances",
+         shows=["Voronoi cells by number of neighbours", "The triangulation", "What a step costs"], sliders=1,
+         says=["inner vertices have six neighbours", "In 24 steps points moved by"]),
+    # Which diagonal of a square is an edge does not matter: a facet that is exactly empty makes no neighbours.
+    Kind("replay-lattice", "replay LATTICE", shows=["Voronoi cells by number of neighbours"], sliders=1,
+         says=["0 of the 16 inner vertices have six neighbours at the end (0 %; 0 % at the start), 0 have five and 0"]),
     Kind("compare-replay", "compare --strategies rebuild,auto -- replay MOTION", shows=["Strategies compared"],
-         sorted_tables=1),
+         sorted_tables=1, says=["was the fastest of 2 strategies"]),
     Kind("compare", "compare --strategies rebuild,relocate,auto,paper:floating -- lloyd --points 300 --iterations 30",
          shows=["Strategies compared", "Cumulative time"], sorted_tables=1),
     Kind("compare-nodt", "compare --strategies rebuild,tolerances -- nodt --sphere --vertices 200 --iterations 5",
-         shows=["Strategies compared", "The triangulation"], sorted_tables=1),
-    Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"]),
-    Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"]),
+         shows=["Strategies compared", "The mesh, cut open"], sorted_tables=1),
+    Kind("degeneracy", "degeneracy GRID", "degeneracy.html", ["Degenerate, exactly and nearly", "Quantiles"],
+         says=["121 of the 341 bi-cells are exactly degenerate"]),
+    Kind("degeneracy-3", "degeneracy POINTS", "degeneracy.html", ["Distributions", "What arithmetic decides"],
+         says=["None of the", "the narrowest annulus is"]),
     Kind("degeneracy-motion", "degeneracy MOTION --every 2", "degeneracy.html"),
-    Kind("sweep", "sweep SPEC", "sweep.html", ["What was found", "Distributions", "Which arithmetic decides"],
-         sorted_tables=1),
+    Kind("sweep", "sweep SPEC", "sweep.html",
+         ["What was found", "Distributions in 2D", "Distributions in 3D", "Which arithmetic decides in 3D"],
+         sorted_tables=1, says=["In 2D none of 10,371 bi-cells is exactly degenerate", "In 3D none of", "The paper's"]),
     Kind("reproduce", "reproduce --quick --iterations 4 --only fig5,fig10", "index.html", ["Claims", "Figures", "Runs"],
-         links=True),
+         links=True, says=["claims of the paper"]),
     Kind("reproduce-figure", "reproduce --quick --iterations 20 --only fig6,fig10,fig11", "figure-11.html",
          ["Claims", "Notes"], links=True),
     Kind("reproduce-speed", "reproduce --quick --iterations 20 --only fig12", "figure-12.html", ["Speed-up"],

@@ -47,6 +47,25 @@ CLASHES = """(() => {
   return found;
 })()"""
 
+# Whether the finding comes first, with the numbers of the run below every picture.
+BEGINS = """(() => {
+  const first = document.querySelector('main > :not(h1):not(.command):not(.verdict)');
+  const numbers = [...document.querySelectorAll('.numbers')].pop();
+  const pictures = [...document.querySelectorAll('svg.plot,svg.mesh')];
+  return first.matches('p.finding') &&
+    pictures.every(p => p.compareDocumentPosition(numbers) & Node.DOCUMENT_POSITION_FOLLOWING); })()"""
+
+# Colours of each legend that are equal, and colours of faces that no legend has.
+COLOURS = """(() => {
+  const fill = e => getComputedStyle(e).fill, found = [], known = new Set();
+  for (const keys of document.querySelectorAll('.keys')) {
+    const fills = [...keys.querySelectorAll('.face')].map(fill);
+    if (new Set(fills).size !== 6) found.push('legend: ' + fills);
+    fills.forEach(f => known.add(f));
+  }
+  for (const face of document.querySelectorAll('.face')) if (!known.has(fill(face))) found.push(face.outerHTML);
+  return found; })()"""
+
 # Contrast of every text with the page, as WCAG 2 computes it: the least, and whose.
 CONTRAST = """(() => {
   const light = c => {
@@ -75,7 +94,8 @@ class Pages(BrowserTest):
         where = Path(cls.directory.name)
         draw = random.Random(1)
         files = {"MOTION": where / "motion.csv", "GRID": where / "grid.xyz", "POINTS": where / "points.xyz",
-                 "LINE": where / "line.xyz", "SPEC": where / "spec.toml"}
+                 "LINE": where / "line.xyz", "SPEC": where / "spec.toml", "LATTICE": where / "lattice.csv",
+                 "PICTURE": ROOT / "docs/knot.png"}
         people = [[draw.random(), draw.random()] for _ in range(60)]
         rows = ["frame,id,x,y"]
         for frame in range(25):
@@ -84,8 +104,11 @@ class Pages(BrowserTest):
         files["MOTION"].write_text("\n".join(rows) + "\n")
         files["GRID"].write_text("".join(f"{x} {y}\n" for x in range(12) for y in range(12)))
         files["POINTS"].write_text("".join(f"{draw.random()} {draw.random()} {draw.random()}\n" for _ in range(400)))
+        files["LATTICE"].write_text("frame,id,x,y\n" + "".join(
+            f"{f},{6 * x + y},{x + f},{y + f}\n" for f in range(3) for x in range(6) for y in range(6)))
         files["LINE"].write_text("0 0\n1 1\n2 2\n")
-        files["SPEC"].write_text("[[grid]]\npoints = 300\nkind = [\"uniform\", \"jittered\"]\n"
+        files["SPEC"].write_text("[[grid]]\npoints = 100\ndimension = 3\n"
+                                 "[[grid]]\npoints = 300\nkind = [\"uniform\", \"jittered\"]\n"
                                  "rounding = [\"double\", \"decimal:3\"]\nseeds = 3\n")
         cls.pages = {}
         for kind in KINDS:
@@ -140,6 +163,33 @@ class Pages(BrowserTest):
                     self.assertEqual(page.evaluate(CLASHES), [], size)
                     least, text = page.evaluate(CONTRAST)
                     self.assertGreaterEqual(least, 4.5, f"{size}: '{text}'")
+
+    def test_what_was_found_comes_first(self):
+        for kind in KINDS:
+            if not kind.says:
+                continue
+            with self.subTest(kind=kind.name):
+                page = self.open(kind.name)
+                found = page.evaluate("[...document.querySelectorAll('p.finding')].map(p => p.textContent).join(' ')")
+                for part in kind.says:
+                    self.assertIn(part, found)
+                self.assertTrue(page.evaluate(BEGINS))
+
+    def test_faces_have_the_colours_of_their_legend(self):
+        drawn = 0
+        for kind in KINDS:
+            with self.subTest(kind=kind.name):
+                for how in (SIZES["wide"], SIZES["dark"]):
+                    page = self.open(kind.name, **how)
+                    self.assertEqual(page.evaluate(COLOURS), [])
+                    drawn += page.evaluate("document.querySelectorAll('.mesh .face').length")
+        self.assertGreater(drawn, 0)
+
+    def test_empty_bins_are_gaps(self):
+        page = self.open("sweep")
+        pieces = page.evaluate("""[...document.querySelectorAll('svg[aria-label="Cells by width"] path.curve')]
+            .map(c => c.getAttribute('d').match(/M/g).length)""")
+        self.assertGreater(max(pieces), 1)
 
     def test_without_scripts(self):
         """Everything except sliders and sorting works, and nothing looks like a button."""

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace annulus::inline v1 {
 
@@ -71,7 +73,7 @@ Table_row row_of(const Grid_point& point, std::size_t number) {
     return row;
 }
 
-/// Percentage of the samples below each edge.
+/// Percentage of the samples below each edge, from the first bin with samples on.
 Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
     std::uint64_t total = bins.below + bins.above;
     for (const std::uint64_t n : bins.in) total += n;
@@ -79,7 +81,9 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
     std::uint64_t below = bins.below;
     for (std::size_t i = 0; i <= bins.in.size() && total > 0; ++i) {
         if (i > 0) below += bins.in[i - 1];
-        if (below == 0) continue;
+        const bool empty_before = i == 0 || below == bins.below;
+        const bool empty_after = i < bins.in.size() && bins.in[i] == 0;
+        if (below == 0 || (empty_before && empty_after && below < total)) continue;
         s.x.push_back(scale.edges()[i]);
         s.y.push_back(100 * static_cast<double>(below) / static_cast<double>(total));
         if (below == total) break;
@@ -87,7 +91,7 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
     return s;
 }
 
-/// The percentage of the certificates in each bin that a stage decided.
+/// The percentage of the certificates in each bin that a stage decided; a gap where a bin is empty.
 Series share_of_stage(const Tally& t, const std::string& name, const char* stage) {
     const std::string whole_name = name + "." + stage;  // g++ 13 warns that the scale may refer to a temporary
     const Histogram& edges = scale(whole_name);
@@ -100,9 +104,9 @@ Series share_of_stage(const Tally& t, const std::string& name, const char* stage
             all += found->second.in[i];
             if (std::string_view(other) == stage) part = found->second.in[i];
         }
-        if (all == 0) continue;
         s.x.push_back(std::sqrt(edges.edges()[i] * edges.edges()[i + 1]));
-        s.y.push_back(100 * static_cast<double>(part) / static_cast<double>(all));
+        s.y.push_back(all == 0 ? std::numeric_limits<double>::quiet_NaN()
+                               : 100 * static_cast<double>(part) / static_cast<double>(all));
     }
     return s;
 }
@@ -110,10 +114,64 @@ Series share_of_stage(const Tally& t, const std::string& name, const char* stage
 Plot stages_plot(std::string title, std::string x, const Tally& t, const std::string& name) {
     Plot plot{std::move(title), {std::move(x), Scale::log10}, {"share, percent", Scale::linear, 0., 100.}, {}};
     for (const char* stage : stage_names) plot.series.push_back(share_of_stage(t, name, stage));
+    // The range is that of the bins with samples.
+    for (const Series& s : plot.series)
+        for (std::size_t i = 0; i < s.x.size(); ++i)
+            if (!std::isnan(s.y[i])) {
+                plot.x.lower = std::min(plot.x.lower.value_or(s.x[i]), s.x[i]);
+                plot.x.upper = std::max(plot.x.upper.value_or(s.x[i]), s.x[i]);
+            }
     return plot;
 }
 
-void append_widths(std::string& out, const std::vector<Grid_point>& points) {
+/// A row of the table, by its number from 1.
+struct Row {
+    std::size_t number;
+    const Grid_point* point;
+};
+
+/// The parts of a row's label, in their order.
+std::vector<std::string> parts_of(const Grid_point& point) {
+    std::vector<std::string> parts;
+    const std::string text = label(point.where);
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(", ", begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return parts;
+}
+
+/// Names of curves: what a row's label has and not all others have. Its number, where that is nothing or too long.
+std::vector<std::string> curve_names(const std::vector<Row>& rows) {
+    constexpr std::size_t most = 24;
+    std::vector<std::string> found;
+    if (rows.size() == 1) return {""};
+    for (const Row& row : rows) {
+        std::string name;
+        for (const std::string& part : parts_of(*row.point)) {
+            const bool shared = std::all_of(rows.begin(), rows.end(), [&](const Row& other) {
+                const auto parts = parts_of(*other.point);
+                return std::find(parts.begin(), parts.end(), part) != parts.end();
+            });
+            if (!shared) name += (name.empty() ? "" : ", ") + part;
+        }
+        found.push_back(name.empty() || name.size() > most ? "row " + std::to_string(row.number) : name);
+    }
+    return found;
+}
+
+/// At most so many rows, spread over all.
+std::vector<Row> some_of(const std::vector<Row>& rows) {
+    if (rows.size() <= most_curves) return rows;
+    std::vector<Row> some;
+    for (std::size_t i = 0; i < most_curves; ++i) some.push_back(rows[i * (rows.size() - 1) / (most_curves - 1)]);
+    return some;
+}
+
+void append_widths(std::string& out, const std::vector<Row>& all, const std::string& heading) {
+    const std::vector<Row> rows = some_of(all);
+    const std::vector<std::string> curves = curve_names(rows);
     std::vector<Plot> plots;
     for (const auto& [name, title, x] :
          {std::array{"bicells.width", "Widths of bi-cells", "width (mean spacings)"},
@@ -121,10 +179,10 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
           std::array{"tolerance.paper_over_exact", "The paper's tolerance over the exact one", "ratio"}}) {
         const bool ratio = std::string_view(x) == "ratio";  // few of them are below 1
         Plot plot{title, {x, Scale::log10}, {"share below, percent", ratio ? Scale::linear : Scale::log10}, {}};
-        for (std::size_t i = 0; i < std::min(points.size(), most_curves); ++i) {
-            const auto found = points[i].tally.histograms.find(name);
-            if (found != points[i].tally.histograms.end())
-                plot.series.push_back(cumulative(std::to_string(i + 1), found->second, scale(name)));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const auto found = rows[i].point->tally.histograms.find(name);
+            if (found != rows[i].point->tally.histograms.end())
+                plot.series.push_back(cumulative(curves[i], found->second, scale(name)));
         }
         if (ratio) {  // at least a decade, or there are no ticks
             const auto beyond = [](const Series& of) { return !of.x.empty() && of.x.back() > 10; };
@@ -133,11 +191,31 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
         }
         plots.push_back(std::move(plot));
     }
-    append_plots(out, "Distributions", plots,
-                 points.size() <= most_curves ? "By rows of the table. Where a curve begins with a horizontal line, "
-                                                "its share is below the scale, or exactly 0."
-                                              : "The first " + std::to_string(most_curves) +
-                                                    " rows of the table, by their numbers; sums.json has all.");
+    std::string caption =
+        "A curve begins where the samples on its scale begin, at the share of what is narrower or exactly 0.";
+    if (rows.size() < all.size()) {
+        caption += " Of " + std::to_string(all.size()) + " rows of the table these are shown:";
+        for (const Row& row : rows) caption += " " + std::to_string(row.number);
+        caption += "; sums.json has all.";
+    }
+    append_plots(out, heading, plots, caption);
+}
+
+/// "none", or the number.
+std::string none_or(std::uint64_t n) { return n == 0 ? "none" : grouped(n); }
+
+/// What the experiments of one dimension found.
+std::string finding(int dimension, const Tally& t) {
+    const std::uint64_t zero = count(t, "bicells.zero"), narrow = count(t, "bicells.below.1e-9");
+    std::string text = "In " + std::to_string(dimension) + "D " + none_or(zero) + " of " +
+                       grouped(count(t, "bicells.total")) + " bi-cells " + (zero <= 1 ? "is" : "are") +
+                       " exactly degenerate, and " + none_or(narrow) + (narrow <= 1 ? " is" : " are") +
+                       " narrower than a billionth of a mean spacing";
+    if (const auto least = t.least.find("bicells.width"); least != t.least.end())
+        text += " (the least width is " + readable(least->second) + ")";
+    return text + ". Integers had to decide " + none_or(count(t, "bicells.stage.exact")) +
+           " of them. The paper's tolerance is unsound at " + none_or(count(t, "tolerance.paper_unsound")) + " of " +
+           grouped(count(t, "vertices")) + " vertices.";
 }
 
 }  // namespace
@@ -145,14 +223,15 @@ void append_widths(std::string& out, const std::vector<Grid_point>& points) {
 std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) {
     std::string out = page_head(spec.title, "");
     append_warnings(out, ignored_boxes(points));
-    out += "<div class=\"numbers\"><table>\n";
-    Tally all;
-    for (const Grid_point& point : points) all += point.tally;
-    append_row(out, "experiments", grouped(count(all, "experiments")));
-    append_row(out, "vertices", grouped(count(all, "vertices")));
-    append_row(out, "bi-cells", grouped(count(all, "bicells.total")));
-    append_row(out, "seed", std::to_string(spec.seed));
-    out += "</table></div>\n<h2>What was found</h2>\n";
+    std::map<int, std::vector<Row>> of;  // by dimension
+    std::map<int, Tally> sum;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const int dimension = points[i].where["dimension"].get<int>();
+        of[dimension].push_back({i + 1, &points[i]});
+        sum[dimension] += points[i].tally;
+    }
+    for (const auto& [dimension, tally] : sum) append_findings(out, {finding(dimension, tally)});
+    out += "<h2>What was found</h2>\n";
     std::vector<Table_row> rows;
     for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
     append_table(
@@ -164,13 +243,25 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
         "<figcaption>Each row adds the experiments that differ in their seed only. Widths in mean spacings; shares of "
         "bi-cells, in the last columns of vertices. Flat: experiments whose points do not span the space, of which "
         "nothing is counted.</figcaption>\n";
-    append_widths(out, points);
-    append_plots(out, "Which arithmetic decides",
-                 {stages_plot("Bi-cells by theta", "theta (radians)", all, "theta_log"),
-                  stages_plot("Bi-cells by width", "width (ulps of the largest coordinate)", all, "bicells.width_ulps"),
-                  stages_plot("Cells by width", "width (ulps of the largest coordinate)", all, "cells.width_ulps")},
-                 "Of the certificates of all experiments in a bin, how many each stage decided. What is exactly "
-                 "degenerate has no place on a scale of widths.");
+    Tally all;
+    for (const auto& [dimension, tally] : sum) {
+        const std::string where = sum.size() > 1 ? " in " + std::to_string(dimension) + "D" : "";
+        append_widths(out, of[dimension], "Distributions" + where);
+        append_plots(
+            out, "Which arithmetic decides" + where,
+            {stages_plot("Bi-cells by theta", "theta (radians)", tally, "theta_log"),
+             stages_plot("Bi-cells by width", "width (ulps of the largest coordinate)", tally, "bicells.width_ulps"),
+             stages_plot("Cells by width", "width (ulps of the largest coordinate)", tally, "cells.width_ulps")},
+            "Of the certificates in a bin, how many each stage decided; there is a gap where a bin is empty. What is "
+            "exactly degenerate has no place on a scale of widths.");
+        all += tally;
+    }
+    out += "<h2>The sweep in numbers</h2>\n<div class=\"numbers\"><table>\n";
+    append_row(out, "experiments", grouped(count(all, "experiments")));
+    append_row(out, "vertices", grouped(count(all, "vertices")));
+    append_row(out, "bi-cells", grouped(count(all, "bicells.total")));
+    append_row(out, "seed", std::to_string(spec.seed));
+    out += "</table></div>\n";
     return out + page_foot();
 }
 

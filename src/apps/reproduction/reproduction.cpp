@@ -12,6 +12,7 @@
 #include <apps/reproduction/figures.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -19,6 +20,21 @@ namespace {
 
 std::string link(const std::string& file, const std::string& words) {
     return "<a href=\"" + escaped(file) + "\">" + escaped(words) + "</a>";
+}
+
+/// How many claims have which verdict.
+std::string verdicts(const std::vector<Claim>& claims) {
+    std::string text;
+    for (const auto& [verdict, words] : {std::pair{Claim_verdict::agrees, " agreed with what was measured here"},
+                                         {Claim_verdict::further, " fell short of it"},
+                                         {Claim_verdict::differs, " differed from it"},
+                                         {Claim_verdict::wrong, " proved to be wrong"},
+                                         {Claim_verdict::open, " stayed open"}}) {
+        const auto count = std::count_if(claims.begin(), claims.end(),
+                                         [verdict = verdict](const Claim& c) { return c.verdict == verdict; });
+        if (count > 0) text += (text.empty() ? "" : ", ") + grouped(static_cast<std::uint64_t>(count)) + words;
+    }
+    return "Of " + grouped(claims.size()) + " claims of the paper " + text + ".";
 }
 
 std::string page_html(const Page_content& page, const std::vector<Claim>& claims) {
@@ -83,6 +99,7 @@ std::string claim_table(const std::vector<Claim>& claims) {
 std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
                        const std::vector<Page_content>& pages) {
     std::string out = page_head("Filtering Relocations on a Delaunay Triangulation, reproduced", r.command);
+    append_findings(out, {verdicts(claims)});
     out +=
         "<p>The figures and claims of the paper of that name by P. M. M. de Castro, J. Tournois, P. Alliez and O. "
         "Devillers (2009), from runs made here: under the paper's algorithm and tolerances, and under ours.</p>\n";
