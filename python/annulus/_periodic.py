@@ -15,8 +15,8 @@ from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
-_MISSING = ("insert", "remove", "recompute_tolerances", "find_simplex", "convex_hull", "flat_simplices",
-            "vertex_neighbor_vertices", "vertex_to_simplex", "tolerances", "theta", "displacements", "is_vertex",
+_MISSING = ("recompute_tolerances", "find_simplex", "convex_hull", "flat_simplices",
+            "vertex_neighbor_vertices", "vertex_to_simplex", "tolerances", "theta", "displacements",
             "vertex_of_input", "affine_dimension", "edges", "voronoi", "voronoi_polytopes", "voronoi_vjp",
             "voronoi_jacobian", "nearest_vertex", "interpolate")
 
@@ -56,9 +56,12 @@ class PeriodicDelaunay(Plots):
     Notes
     -----
     A `move` tests all signs and flips where one fails; where flips are stuck or would cost more it rebuilds, which
-    costs what constructing costs. There are no tolerances, no lists of changes, no insertion and no removal with a box
-    yet: what `MovingDelaunay` has and this class has not raises a `NotAvailableError`, which is an `Error`, a
-    `NotImplementedError` and an `AttributeError`.
+    costs what constructing costs. There are no tolerances and no lists of changes with a box yet: what `MovingDelaunay`
+    has and this class has not raises a `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an
+    `AttributeError`.
+
+    Vertices have indices in the order of the points. Removing a vertex makes its index free: `points` and what is by
+    vertex are NaN there. The next insertion takes the index that was freed last.
 
     Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`. What
     is pickled or copied is the same afterwards, bit for bit, wherever its points are; also attributes of your own.
@@ -93,7 +96,7 @@ class PeriodicDelaunay(Plots):
         Parameters
         ----------
         points : array_like, shape (npoints, d)
-            The new positions: any image of each point.
+            The new positions: any image of each point. Rows at free indices are not read.
         box : array_like, shape (d,) or (d, d), optional
             The new box; the old one by default.
 
@@ -110,10 +113,53 @@ class PeriodicDelaunay(Plots):
         """
         return self._mesh.move(_plain(points), box)
 
+    def insert(self, points: ArrayLike) -> Indices:
+        """Inserts vertices: all of them or, if it raises an exception, none.
+
+        Parameters
+        ----------
+        points : array_like, shape (k, d)
+            Inside the box or not: any image of each.
+
+        Returns
+        -------
+        ndarray of int32, shape (k,)
+            Their indices: first free ones, the one freed last first, then new ones.
+
+        Raises
+        ------
+        Error
+            With the codes ``duplicate_point`` if a vertex is, rounded, an image of one of the points (`vertices` names
+            it; no vertex where two of the points are images of one another), ``wrong_size``, ``not_finite``,
+            ``out_of_domain``, ``too_large``.
+
+        Notes
+        -----
+        One point replaces the simplices near it, after a walk through O(n**(1/3)) of them. With few points, or in a box
+        that is thinner than simplices are long, it costs a construction. Several points also copy arrays, O(n); more
+        than an eighth of all are constructed with the others at once.
+        """
+        return self._mesh.insert(_plain(points))
+
+    def remove(self, indices: ArrayLike) -> None:
+        """Removes vertices: all of them or, if it raises an exception, none. Their indices become free. It costs what
+        `insert` costs.
+
+        Parameters
+        ----------
+        indices : array_like of int, shape (k,)
+
+        Raises
+        ------
+        Error
+            With the code ``unknown_vertex`` for an index that is not that of a vertex, or that occurs twice.
+        """
+        self._mesh.remove(indices)
+
     @property
     def points(self) -> Floats:
         """ndarray of float64, shape (npoints, d): the positions as they were given, each coordinate rounded to the
-        grid of the box (to the nearest double where a point is more than eight boxes away)."""
+        grid of the box (to the nearest double where a point is more than eight boxes away); NaN at free indices."""
         return self._mesh.points
 
     @property
@@ -184,6 +230,7 @@ class PeriodicDelaunay(Plots):
         Returns
         -------
         ndarray of int32, shape (npoints,)
+            0 at free indices.
         """
         return self._mesh.neighbour_counts(_arguments.number("min_area", min_area),
                                            _arguments.truth("strict", strict))
@@ -200,7 +247,7 @@ class PeriodicDelaunay(Plots):
         Returns
         -------
         ndarray of float64, shape (npoints,)
-            Each with a relative error of at most 2**-33, 1.2e-10.
+            Each with a relative error of at most 2**-33, 1.2e-10; NaN at free indices.
         """
         return _outputs.returned(self._mesh.voronoi_volumes, lambda: (self.npoints,), out, dtype)
 
@@ -221,13 +268,18 @@ class PeriodicDelaunay(Plots):
 
     @property
     def npoints(self) -> int:
-        """int: rows of `points`."""
-        return self._mesh.vertices
+        """int: rows of `points`, free indices included."""
+        return self._mesh.index_bound
 
     @property
     def nvertices(self) -> int:
-        """int: the same, since there are no free indices."""
+        """int: how many vertices there are."""
         return self._mesh.vertices
+
+    @property
+    def is_vertex(self) -> NDArray[np.bool_]:
+        """ndarray of bool, shape (npoints,): False at free indices."""
+        return self._mesh.is_vertex
 
     @property
     def nsimplex(self) -> int:
@@ -247,14 +299,16 @@ class PeriodicDelaunay(Plots):
     def __repr__(self) -> str:
         if not hasattr(self, "_mesh"):
             return f"<{type(self).__name__}: not initialised>"
-        n = self.npoints
+        n = self.nvertices
         return f"<{type(self).__name__}: {n} {'vertex' if n == 1 else 'vertices'} in a box in {self.ndim}D>"
 
-    # Format 1. What versions before pickled, points and a rounded box, are arguments of the constructor.
+    # Format 1; "free_indices" were not there before. What the first versions pickled, points and a rounded box, are
+    # arguments of the constructor.
     def __getstate__(self) -> dict[str, typing.Any]:
         more = {name: value for name, value in self.__dict__.items() if name != "_mesh"}
-        vectors, places, images = self._mesh.state()
-        return {"format": 1, "vectors": vectors, "places": places, "images": images, "more": more}
+        vectors, places, images, free_indices = self._mesh.state()
+        return {"format": 1, "vectors": vectors, "places": places, "images": images, "free_indices": free_indices,
+                "more": more}
 
     def __setstate__(self, state: dict[str, typing.Any]) -> None:
         if not isinstance(state, dict) or not {"format", "vectors", "places", "images", "more"} <= state.keys():
@@ -265,7 +319,8 @@ class PeriodicDelaunay(Plots):
                         f"{_arguments.described(state['format'])}", "bad_input")
         places, more = state["places"], state["more"]
         kind = _core.Periodic2 if places.shape[1] == 2 else _core.Periodic3
-        self._mesh = kind.build_again(state["vectors"], places, state["images"], more["_threads"])
+        self._mesh = kind.build_again(state["vectors"], places, state["images"], state.get("free_indices", ()),
+                                      more["_threads"])
         self.__dict__.update(more)
 
 

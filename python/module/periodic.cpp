@@ -59,12 +59,14 @@ py::array bytes_of(const std::vector<std::array<Shift<d>, corners>>& shifts) {
 }
 
 template <int d>
-Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& places, const py::object& images) {
+Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& places, const py::object& images,
+                                const py::object& free_indices) {
     const Points_in<d> x(places, "places");
     const auto k = whole_numbers_of(images, "images");
     if (k.ndim() != 2 || k.shape(0) != static_cast<py::ssize_t>(x.span().size()) || k.shape(1) != d)
         throw Error(Error_code::wrong_size, "images must have a row for each place, not the shape " + shape_of(k));
-    Saved_periodic_mesh<d> saved{vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}};
+    Saved_periodic_mesh<d> saved{
+        vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}, indices_of(free_indices)};
     saved.images.resize(saved.places.size());
     for (std::size_t i = 0; i < saved.images.size(); ++i)
         for (std::size_t c = 0; c < d; ++c) {
@@ -90,11 +92,20 @@ class Periodic {
         const auto vectors = vectors_of<d>(box);
         return report(locked([&] { return mesh_.move_all(x.span(), Box<d>(vectors)); }));
     }
-    /// Vectors, places and images.
+    py::array insert(const py::object& points) {
+        const Points_in<d> x(points);
+        return give(locked([&] { return mesh_.insert(x.span()); }));
+    }
+    void remove(const py::object& indices) {
+        const std::vector<Index> i = indices_of(indices);
+        locked([&] { mesh_.remove(i); });
+    }
+    /// Vectors, places, images and free indices.
     py::tuple state() const {
         Saved_periodic_mesh<d> s = locked([&] { return mesh_.saved(); });
         return py::make_tuple(give_rows(std::vector(s.vectors.begin(), s.vectors.end())),
-                              give_rows(std::move(s.places)), give_rows(std::move(s.images)));
+                              give_rows(std::move(s.places)), give_rows(std::move(s.images)),
+                              give(std::move(s.free_indices)));
     }
     py::array points() const {
         return give_rows(locked([&] { return std::vector(mesh_.points().begin(), mesh_.points().end()); }));
@@ -128,6 +139,17 @@ class Periodic {
     }
     py::tuple audit() const {
         return audit_tuple(locked([&] { return mesh_.audit(); }));
+    }
+    py::array is_vertex() const {
+        auto out = locked([&] {
+            std::vector<std::uint8_t> there(mesh_.index_bound());
+            for (std::size_t i = 0; i < there.size(); ++i) there[i] = mesh_.is_vertex(static_cast<Index>(i)) ? 1 : 0;
+            return there;
+        });
+        return give(std::move(out)).attr("view")("bool");
+    }
+    std::size_t index_bound() const {
+        return locked([&] { return mesh_.index_bound(); });
     }
     std::size_t vertices() const {
         return locked([&] { return mesh_.number_of_vertices(); });
@@ -164,11 +186,14 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def_static("build", [](const py::object& points, const py::object& box,
                                 int threads) { return std::make_unique<P>(points, box, threads); })
         .def_static("build_again",
-                    [](const py::object& vectors, const py::object& places, const py::object& images, int threads) {
-                        return std::make_unique<P>(saved_of<d>(vectors, places, images), threads);
+                    [](const py::object& vectors, const py::object& places, const py::object& images,
+                       const py::object& free_indices, int threads) {
+                        return std::make_unique<P>(saved_of<d>(vectors, places, images, free_indices), threads);
                     })
         .def("state", &P::state)
         .def("move", &P::move)
+        .def("insert", &P::insert)
+        .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi_volumes", &P::voronoi_volumes)
@@ -179,6 +204,8 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def_property_readonly("simplex_offsets", &P::simplex_offsets)
         .def_property_readonly("neighbors", &P::neighbors)
         .def_property_readonly("neighbor_offsets", &P::neighbor_offsets)
+        .def_property_readonly("is_vertex", &P::is_vertex)
+        .def_property_readonly("index_bound", &P::index_bound)
         .def_property_readonly("vertices", &P::vertices)
         .def_property_readonly("cells", &P::cells);
 }

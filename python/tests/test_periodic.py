@@ -209,9 +209,49 @@ def test_flags_of_an_object_have_to_agree_with_the_box():
         annulus.MovingDelaunay(ovito, box=[1, 1, 1])
 
 
+@pytest.mark.parametrize("d", [2, 3])
+def test_points_come_and_go(d):
+    box = np.eye(d) + 0.25 * np.tri(d, k=-1)
+    x = points(30, d) @ box
+    dt = annulus.MovingDelaunay(np.empty((0, d)), box=box)
+    assert np.array_equal(dt.insert(x[:3]), [0, 1, 2]) and dt.insert(x[3:]).dtype == np.int32
+    fresh = annulus.MovingDelaunay(x, box=box)
+    for ours, theirs in zip(dt.neighbor_list(), fresh.neighbor_list()):
+        assert np.array_equal(ours, theirs)
+    dt.remove([4, 20])
+    dt.remove(np.array([9]))
+    assert (dt.npoints, dt.nvertices) == (30, 27) and "27 vertices" in repr(dt)
+    free = [4, 9, 20]
+    assert np.array_equal(np.flatnonzero(~dt.is_vertex), free) and dt.is_vertex.dtype == bool
+    assert np.all(np.isnan(dt.points[free])) and np.all(np.isnan(dt.voronoi_volumes()[free]))
+    assert np.all(dt.neighbor_counts()[free] == 0) and not np.isin(dt.simplices, free).any()
+    assert np.isclose(np.nansum(dt.voronoi_volumes()), 1) and dt.audit()
+    y = x + 0.01
+    y[free] = np.nan  # not read
+    assert dt.move(y).asked == 27
+    other = pickle.loads(pickle.dumps(dt))
+    for one in (dt, other):
+        assert np.array_equal(one.insert(x[:4] + 0.3), [9, 20, 4, 30]) and one.audit()
+    assert np.array_equal(dt.neighbor_list("i"), other.neighbor_list("i"))
+    before = dt.points, dt.neighbor_list("S")
+    for bad, code, named in (([x[7] + 0.01 - box[1]], "duplicate_point", (7,)), (x[[8, 8]], "duplicate_point", ()),
+                             (x[:, :1], "wrong_size", ()), ([x[0] + 0.5, x[0] * np.nan], "not_finite", (1,)),
+                             ([x[0] + 0.5, x[0] + 1e40], "out_of_domain", (1,))):
+        with pytest.raises(annulus.Error) as caught:
+            dt.insert(bad)
+        assert (caught.value.code, caught.value.vertices) == (code, named)
+    for bad, named in (([1, 31], (31,)), ([-1], (-1,)), ([2, 5, 2], (2,))):
+        with pytest.raises(annulus.Error) as caught:
+            dt.remove(bad)
+        assert (caught.value.code, caught.value.vertices) == ("unknown_vertex", named)
+    assert np.array_equal(before[0], dt.points, equal_nan=True) and np.array_equal(before[1], dt.neighbor_list("S"))
+    dt.remove(np.flatnonzero(dt.is_vertex))
+    assert (dt.nvertices, dt.nsimplex, dt.npoints) == (0, 0, 31) and dt.audit()
+
+
 def test_what_is_not_there_yet_says_so():
     dt = annulus.MovingDelaunay(points(9), box=[1, 1, 1])
-    for name in ("insert", "remove", "find_simplex", "tolerances", "convex_hull", "theta"):
+    for name in ("recompute_tolerances", "find_simplex", "tolerances", "convex_hull", "theta"):
         with pytest.raises(annulus.NotAvailableError, match=name):
             getattr(dt, name)
         with pytest.raises(NotImplementedError):

@@ -118,7 +118,7 @@ struct Audit_result {
 /// in the box's vectors, in integers: nothing is rounded.
 template <int d>
 struct Periodic_audit_input {
-    std::vector<Coordinates<d>> points;
+    std::vector<Coordinates<d>> points;  ///< NaN: none has this index
     typename Box<d>::Vectors box;
     /// `neighbours` and `translations` may be left empty: then the gluing alone is examined that the cells imply.
     Periodic_cells<d> cells;
@@ -131,8 +131,8 @@ struct Periodic_audit_input {
 /// facets. By docs/theory.md 8.3 these suffice. Cospherical points are no fault (degenerate_facets). Integers
 /// throughout, by code of its own. In the result `overlap` also says that the cells cover the box several times, and
 /// `hull_broken` that a facet has no other side, or another one than is said. O(n log n), some microseconds a cell.
-/// Preconditions: finite coordinates, offsets below 2^29. Throws wrong_size where the arrays of the cells differ in
-/// length.
+/// Preconditions: coordinates are finite, or of a point all are NaN; offsets below 2^29. Throws wrong_size where the
+/// arrays of the cells differ in length.
 [[nodiscard]] Audit_result audit(const Periodic_audit_input<2>& input);
 [[nodiscard]] Audit_result audit(const Periodic_audit_input<3>& input);
 

@@ -24,6 +24,7 @@ struct Saved_periodic_mesh {
     typename Box<d>::Vectors vectors;    ///< of the box as it was given, not rounded
     std::vector<Coordinates<d>> places;  ///< Periodic_mesh::places
     std::vector<Shift<d>> images;        ///< Periodic_mesh::images, as many
+    std::vector<Index> free_indices{};   ///< of no vertex, what is there is not read; the next one to be used last
 };
 
 /// The Delaunay triangulation of points in a periodic box, which moves with them: of all their translates by the
@@ -33,9 +34,11 @@ struct Saved_periodic_mesh {
 /// cospherical cases it is the one of the perturbation that Moving_mesh uses, which is the same for every image.
 ///
 /// A move tests all signs and flips where one fails, O(n) and more for each flip; where flips are stuck or would cost
-/// more it rebuilds, O(n log n). The triangulation is the same, numbers of cells may differ. There are no
-/// tolerances, no insertion and no removal yet. A call that throws leaves the object as it was. Not thread-safe; const
-/// members may run concurrently.
+/// more it rebuilds, O(n log n). The triangulation is the same, numbers of cells may differ. There are no tolerances
+/// yet. A call that throws leaves the object as it was. Not thread-safe; const members may run concurrently.
+///
+/// Vertices have indices in input order. Removing a vertex makes its index free; the next insertion takes the index
+/// that was freed last.
 template <int d>
 class Periodic_mesh {
   public:
@@ -54,26 +57,45 @@ class Periodic_mesh {
     Periodic_mesh(Periodic_mesh&&) noexcept;
     Periodic_mesh& operator=(Periodic_mesh&&) noexcept;
 
-    /// Moves all points, in the order of their indices; any image of each. The box is the same, as it was given, not
-    /// rounded. In the result all are `rebuilt`, or those are `flipped` that are in cells made by flips, and the others
-    /// `kept_in_place`; it lists no cells, and its cost is that of flips and of a build. Throws what the constructor
-    /// throws, and wrong_size unless there are as many as before.
+    /// Moves all points, in the order of their indices; any image of each. There are index_bound() of them; those at
+    /// free indices are not read. The box is the same, as it was given, not rounded. In the result all are `rebuilt`,
+    /// or those are `flipped` that are in cells made by flips, and the others `kept_in_place`; it lists no cells, and
+    /// its cost is that of flips and of a build. Throws what the constructor throws, and wrong_size.
     Move_result move_all(std::span<const Point> points);
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);
 
+    /// Inserts a vertex, any image of it, and returns its index: the one that was freed last, or index_bound().
+    /// Replaces cells near it, expected O(n^(1/3) + degree); with few points, or in a box that is thinner than cells
+    /// are long, it builds (docs/periodic.md). Throws duplicate_point, naming the vertex that has, rounded, an image at
+    /// this place, and what the constructor throws; an error that concerns the point names it 0.
+    Index insert(const Point& p);
+    /// The same for several points, all or none: their indices, first free ones. O(n) and what was said for each; more
+    /// than an eighth of all points are built with the others at once. Points that are images of one another are an
+    /// error without vertices, not_finite and out_of_domain name points of the argument.
+    std::vector<Index> insert(std::span<const Point> points);
+    /// Removes a vertex; its index becomes free. Costs what insert costs. Throws unknown_vertex, bad_alloc,
+    /// environment, and too_large where it has to build.
+    void remove(Index i);
+    /// The same for several vertices, all or none. An index that occurs twice is unknown_vertex, too.
+    void remove(std::span<const Index> indices);
+
     [[nodiscard]] std::size_t number_of_vertices() const;
+    /// One more than the largest index in use or free: the number of points that move_all takes.
+    [[nodiscard]] std::size_t index_bound() const;
+    /// Whether a vertex has this index.
+    [[nodiscard]] bool is_vertex(Index i) const;
     /// The box with its vectors rounded to the grid.
     [[nodiscard]] const Box<d>& box() const;
     /// The images of the points that the caller gave, rounded to the grid; the nearest doubles to these where a point
-    /// is more than eight boxes away from the origin (of the reduced box, where the box is skewed). Valid until the
-    /// next call of move_all, as all spans here.
+    /// is more than eight boxes away from the origin (of the reduced box, where the box is skewed). NaN at free
+    /// indices. Valid until the next call of a member that is not const, as all spans here; may be an argument of it.
     [[nodiscard]] std::span<const Point> points() const;
-    /// The representatives of the points near the origin's box: exact, wherever the points are. Valid as long as
-    /// points().
+    /// The representatives of the points near the origin's box: exact, wherever the points are. NaN at free indices.
+    /// Valid as long as points().
     [[nodiscard]] std::span<const Point> places() const;
     /// Which image each point is of its representative: points()[i] is at places()[i] + images()[i] . box().
-    /// Valid as long as points().
+    /// 0 at free indices. Valid as long as points().
     [[nodiscard]] std::span<const Shift<d>> images() const;
     /// The spacing of the grid on each axis.
     [[nodiscard]] Point grid() const;
@@ -87,10 +109,10 @@ class Periodic_mesh {
     [[nodiscard]] Periodic_neighbours<d> neighbours() const;
     /// By point: how many neighbours have a facet of more than this area in common with it; with `strict` false, of at
     /// least this area. With the defaults facets that are exactly empty are not counted, and all others are. A point
-    /// that is its own neighbour counts twice, once for each side. O(n). Throws not_finite for an area that is NaN.
+    /// that is its own neighbour counts twice, once for each side. 0 at free indices. O(n). Throws not_finite for NaN.
     [[nodiscard]] std::vector<Index> neighbour_counts(double least_area = 0, bool strict = true) const;
-    /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's.
-    /// O(n).
+    /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's. NaN
+    /// at free indices. O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
 
     /// Exact audit of the cells, for places() and box(); see audit.h. O(n).

@@ -79,6 +79,11 @@ bool Periodic_motion<d>::begin(const Periodic_points<d>& from, const Periodic_po
     const auto& grid = to.lattice.grid();
     for (std::size_t v = 0; v < n; ++v) {
         Coordinates<d>& home = home_[v];
+        if (!is_place<d>(to.place[v])) {  // no vertex
+            home = goal_[v] = to.place[v];
+            to_home_[v] = to_goal_[v] = {};
+            continue;
+        }
         if (same_lattice) home = from.place[v];
         else {
             const Coordinates<d> f = from.lattice.in_basis(from.place[v]);

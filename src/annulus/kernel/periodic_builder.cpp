@@ -57,9 +57,10 @@ void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coord
     table.clear();
     copy_.clear();
     attempts_ = 0;
-    if (place.empty()) return;
+    const auto points = static_cast<std::size_t>(std::count_if(place.begin(), place.end(), is_place<d>));
+    if (points == 0) return;
     const Coordinates<d> heights = lattice.heights();
-    const double spacing = mean_spacing<d>(lattice.volume(), heights, place.size());
+    const double spacing = mean_spacing<d>(lattice.volume(), heights, points);
     for (double width = first_collar[d] * spacing;; width *= wider) {
         ++attempts_;
         Coordinates<d> collar;
@@ -81,6 +82,7 @@ void Periodic_builder<d>::copy_into(const Lattice<d>& lattice, std::span<const C
     copy_.clear();
     image_.clear();
     for (std::size_t v = 0; v < place.size(); ++v) {
+        if (!is_place<d>(place[v])) continue;
         const Coordinates<d> f = lattice.in_basis(place[v]);
         Shift<d> low, high;
         for (std::size_t i = 0; i < d; ++i) {

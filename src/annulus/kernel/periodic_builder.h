@@ -26,7 +26,8 @@ namespace annulus::inline v1 {
 template <int d>
 class Periodic_builder {
   public:
-    /// Triangulates the points at these places of the lattice, by at most this many threads. Throws
+    /// Triangulates the points at these places of the lattice, by at most this many threads; at NaN there is no point,
+    /// and the vertex is in no cell. Throws
     /// Error(duplicate_point), naming two vertices whose places differ by a vector of the lattice, Error(too_large),
     /// bad_alloc; the table is then unspecified. Expected O(n) for points that are not all on few spheres or curves;
     /// docs/periodic.md has what it costs.

@@ -86,7 +86,9 @@ class Periodic_proof {
         std::vector<char> used(place_.size(), 0);
         for (const auto& cell : table_.vertex)
             for (const Index v : cell) used[static_cast<std::size_t>(v)] = 1;
-        return std::find(used.begin(), used.end(), 0) == used.end();
+        for (std::size_t v = 0; v < used.size(); ++v)
+            if (used[v] == 0 && is_place<d>(place_[v])) return false;
+        return true;
     }
 
     [[nodiscard]] static bool is_positive(const Places& x) {
@@ -148,7 +150,7 @@ class Periodic_proof {
     /// The volumes add up to N times the lattice's, with N an integer whatever the places are (docs/theory.md 8.3), so
     /// a sum in doubles with an error below an eighth decides whether N is 1.
     [[nodiscard]] bool covers_once() const {
-        if (place_.empty()) return true;
+        if (table_.size() == 0) return true;  // of no points
         constexpr double parts = d == 2 ? 2 : 6;
         double largest = 0;
         for (const auto& v : lattice_.basis())

@@ -10,10 +10,10 @@
 namespace annulus::inline v1 {
 
 /// Whether a table is the Delaunay triangulation of the points at these places and their translates, by the theorem of
-/// docs/theory.md 8.3: facets are glued in pairs, with opposite orientations and to the same images; every vertex has
-/// a cell; the volumes of the cells add up to that of the lattice; every cell is positive, and no opposite vertex is
-/// inside the sphere of a bi-cell, where cospherical points are decided by the perturbation. All of it is exact, so
-/// that `true` is a proof. Writes `cospherical`. O(n). Needs rounding to nearest.
+/// docs/theory.md 8.3: facets are glued in pairs, with opposite orientations and to the same images; every vertex has a
+/// cell, but where its place is NaN; the volumes of the cells add up to that of the lattice; every cell is positive,
+/// and no opposite vertex is inside the sphere of a bi-cell, where cospherical points are decided by the perturbation.
+/// All of it is exact, so that `true` is a proof. Writes `cospherical`. O(n). Needs rounding to nearest.
 template <int d>
 [[nodiscard]] bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice,
                                       std::span<const Coordinates<d>> place);

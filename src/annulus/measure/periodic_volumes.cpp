@@ -5,6 +5,7 @@
 #include <annulus/measure/voronoi_terms.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace annulus::inline v1 {
@@ -116,7 +117,8 @@ std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, con
     std::vector<double> volume(place.size());
     std::vector<char> poor(place.size(), 0);
     for (std::size_t v = 0; v < volume.size(); ++v) {
-        if (sum[v].is_good()) volume[v] = voronoi_volume<d>(sum[v], places.exponent());
+        if (!is_place<d>(place[v])) volume[v] = std::numeric_limits<double>::quiet_NaN();
+        else if (sum[v].is_good()) volume[v] = voronoi_volume<d>(sum[v], places.exponent());
         else poor[v] = 1;
     }
     if (std::find(poor.begin(), poor.end(), 1) == poor.end()) return volume;

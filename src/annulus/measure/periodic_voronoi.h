@@ -25,7 +25,8 @@ template <int d>
                                                          std::span<const Shift<d>> image);
 
 /// The areas or volumes of the Voronoi cells by vertex, with a relative error of voronoi_volume_error (voronoi.h) at
-/// most, by the method of voronoi_volumes. All cells are bounded. O(n).
+/// most, by the method of voronoi_volumes. All cells are bounded. NaN where
+/// a place is. O(n).
 template <int d>
 [[nodiscard]] std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, const Lattice<d>& lattice,
                                                            std::span<const Coordinates<d>> place);

@@ -43,7 +43,7 @@ class Integers {
     [[nodiscard]] Vector<d> operator()(const Coordinates<d>& p) const {
         Vector<d> x;
         for (std::size_t i = 0; i < d; ++i) {
-            if (p[i] == 0) continue;
+            if (p[i] == 0 || std::isnan(p[i])) continue;
             int e = 0;
             x[i] = std::ldexp(std::frexp(p[i], &e), 53);
             x[i] <<= static_cast<mp_bitcnt_t>(e - 53 - least_);
@@ -55,7 +55,7 @@ class Integers {
     void note(const Coordinates<d>& p) {
         for (const double c : p) {
             int e = 0;
-            if (c != 0) (void)std::frexp(c, &e), least_ = std::min(least_, e - 53);
+            if (c != 0 && !std::isnan(c)) (void)std::frexp(c, &e), least_ = std::min(least_, e - 53);
         }
     }
     int least_ = 1100;
@@ -118,7 +118,7 @@ class Periodic_audit {
             throw Error(Error_code::wrong_size, "the arrays of the cells differ in length");
         for (std::size_t c = 0; c < cells.vertices.size(); ++c)
             for (const Index v : cells.vertices[c])
-                if (v < 0 || static_cast<std::size_t>(v) >= points_.size()) {
+                if (v < 0 || static_cast<std::size_t>(v) >= points_.size() || !is_there(static_cast<std::size_t>(v))) {
                     fault(Fault::unknown_vertex, "a cell names vertex " + std::to_string(v), {v}, c);
                     return r_;
                 }
@@ -149,6 +149,7 @@ class Periodic_audit {
         f.cells[0] = static_cast<std::int64_t>(cell);
         std::copy(vertices.begin(), vertices.end(), f.vertices.begin());
     }
+    [[nodiscard]] bool is_there(std::size_t v) const { return !std::isnan(in_.points[v][0]); }
     [[nodiscard]] Vector<d> place(Index v, const Shift<d>& offset) const {
         Vector<d> x = points_[static_cast<std::size_t>(v)];
         for (std::size_t j = 0; j < d; ++j)
@@ -167,7 +168,7 @@ class Periodic_audit {
         for (const auto& cell : in_.cells.vertices)
             for (const Index v : cell) used[static_cast<std::size_t>(v)] = 1;
         for (std::size_t v = 0; v < used.size(); ++v)
-            if (!used[v])
+            if (!used[v] && is_there(v))
                 fault(Fault::unused_vertex, "no cell has vertex " + std::to_string(v), {static_cast<Index>(v)}, 0);
     }
 
@@ -178,7 +179,7 @@ class Periodic_audit {
             if (sgn(volume) <= 0) fault(Fault::flat_cell, "cell " + std::to_string(c) + " is not positive", {}, c);
             sum += volume;
         }
-        if (points_.empty()) return;
+        if (in_.cells.vertices.empty()) return;  // a point would be in none
         mpz_class whole = sphere(with_origin()).determinant;
         whole = abs(whole) * (d == 2 ? 2 : 6);
         if (sum != whole) fault(Fault::overlap, "the volumes of the cells do not add up to that of the box", {}, 0);

@@ -5,6 +5,7 @@
 #include <annulus/space/offset.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,6 +17,12 @@ struct Representative {
     Coordinates<d> place;  ///< on the grid, with coordinates in the basis from -1/2 to 3/2
     Shift<d> image;        ///< the caller's point is at place + image . box, up to rounding
 };
+
+/// Whether there is a point. Arrays of places have NaN where there is none.
+template <int d>
+[[nodiscard]] inline bool is_place(const Coordinates<d>& p) {
+    return !std::isnan(p[0]);
+}
 
 /// The lattice of a periodic box, on a grid on which all arithmetic of places is exact (docs/theory.md 8.2).
 ///

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <annulus/box.h>
+#include <annulus/mesh/periodic_table.h>
+#include <annulus/space/lattice.h>
+#include <annulus/types.h>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+/// A triangulation in a periodic box and what it is of, by the caller's indices. At free indices places are NaN, and
+/// images 0.
+template <int d>
+struct Periodic_state {
+    /// Points at free indices are not read. Throws what Lattice::representative throws. The table is empty.
+    Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box, std::span<const Index> free_indices = {});
+    /// What was saved (Saved_periodic_mesh). Throws bad_input, and what Box throws.
+    Periodic_state(const typename Box<d>::Vectors& vectors, std::vector<Coordinates<d>> places,
+                   std::vector<Shift<d>> images, std::vector<Index> free_indices);
+
+    [[nodiscard]] std::size_t vertices() const { return place.size() - free.size(); }
+    [[nodiscard]] bool is_vertex(Index i) const {
+        return i >= 0 && static_cast<std::size_t>(i) < place.size() &&
+               !std::isnan(place[static_cast<std::size_t>(i)][0]);
+    }
+    /// The offset by vectors of the box, between representatives, or, less the images, between given points.
+    [[nodiscard]] Shift<d> shift(Image<d> s, bool of_given) const {
+        Shift<d> o = lattice.in_box(s.label);
+        if (of_given)
+            for (std::size_t k = 0; k < d; ++k) o[k] -= image[static_cast<std::size_t>(s.vertex)][k];
+        return o;
+    }
+    /// The cells with offsets that refer to the given points or to the representatives. Each is moved so that its least
+    /// offsets are 0. O(n).
+    [[nodiscard]] Periodic_cells<d> cells(bool of_given) const;
+
+    /// Room for more indices, so that put and take_out throw nothing. Throws bad_alloc, with nothing changed.
+    void make_room(std::size_t more);
+    /// The index that the next point takes: the one that was freed last, or a new one.
+    [[nodiscard]] Index next_index() const { return free.empty() ? static_cast<Index>(place.size()) : free.back(); }
+    /// Puts a point at next_index().
+    void put(const Representative<d>& r) noexcept;
+    /// The index becomes free.
+    void take_out(Index i) noexcept;
+    /// What the last call of put has done is undone.
+    void undo_put(Index i, bool was_free) noexcept;
+
+    Lattice<d> lattice;
+    Box<d> rounded_box;
+    std::vector<Coordinates<d>> given;
+    std::vector<Coordinates<d>> place;
+    std::vector<Shift<d>> image;
+    std::vector<Index> free;  // the next one to be used last
+    Periodic_table<d> table;
+};
+
+extern template struct Periodic_state<2>;
+extern template struct Periodic_state<3>;
+
+}  // namespace annulus::inline v1
