@@ -45,6 +45,9 @@ class PeriodicDelaunay(Plots):
         The lengths of an orthorhombic box, or the vectors of any box as rows. All directions are periodic.
     threads : int, optional
         Number of threads of a build. Results do not depend on it.
+    report_changes : bool, optional
+        Whether calls list the pairs of neighbours that they make and break: `pairs_made`, `pairs_broken`. Off by
+        default, also in `MovingDelaunay` with a box: a call that lists them copies arrays, O(n).
 
     Raises
     ------
@@ -56,9 +59,9 @@ class PeriodicDelaunay(Plots):
     Notes
     -----
     A `move` tests all signs and flips where one fails; where flips are stuck or would cost more it rebuilds, which
-    costs what constructing costs. There are no tolerances and no lists of changes with a box yet: what `MovingDelaunay`
-    has and this class has not raises a `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an
-    `AttributeError`.
+    costs what constructing costs. There are no tolerances and no lists of simplices that change with a box yet:
+    what `MovingDelaunay` has and this class has not raises a `NotAvailableError`, which is an `Error`, a
+    `NotImplementedError` and an `AttributeError`.
 
     Vertices have indices in the order of the points. Removing a vertex makes its index free: `points` and what is by
     vertex are NaN there. The next insertion takes the index that was freed last.
@@ -79,16 +82,19 @@ class PeriodicDelaunay(Plots):
 
     _mesh: _core.Periodic2 | _core.Periodic3
     _threads: int
+    _report_changes: bool
 
-    def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1) -> None:
+    def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1, report_changes: bool = False) -> None:
         threads = _arguments.whole("threads", threads, 1, 2**31 - 1)
+        report_changes = _arguments.truth("report_changes", report_changes)
         array = _plain(points)
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise Error(f"points must have shape (n, 2) or (n, 3), not {array.shape if array.ndim <= 8 else '(..)'}",
                         "wrong_size")
         kind = _core.Periodic2 if array.shape[1] == 2 else _core.Periodic3
-        self._mesh = kind.build(array, box, threads)
+        self._mesh = kind.build(array, box, threads, report_changes)
         self._threads = threads
+        self._report_changes = report_changes
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
         """Moves all points, and gives the box another shape.
@@ -215,6 +221,20 @@ class PeriodicDelaunay(Plots):
         arrays = dict(zip(_QUANTITIES, self._mesh.neighbours()))
         return arrays[quantities] if len(quantities) == 1 else tuple(arrays[q] for q in quantities)
 
+    @property
+    def pairs_made(self) -> tuple[Indices, Indices, Indices]:
+        """tuple of ndarrays, i, j and S: the pairs of neighbours that the last call of `move`, `insert` or `remove`
+        made, each once, i <= j, ascending: point j, moved by ``S @ box``, is a neighbour of point i since. Facets of
+        the triangulation count, also those that are exactly empty. Points that are given as other images change
+        nothing, nor does a box in another basis of its lattice. Raises an `Error` with the code ``usage`` without
+        `report_changes`."""
+        return self._mesh.pairs(True)
+
+    @property
+    def pairs_broken(self) -> tuple[Indices, Indices, Indices]:
+        """tuple of ndarrays, i, j and S: the pairs that the same call broke, by points and box before it."""
+        return self._mesh.pairs(False)
+
     def neighbor_counts(self, min_area: float = 0.0, strict: bool = True) -> Indices:
         """The number of neighbours of each point.
 
@@ -320,7 +340,7 @@ class PeriodicDelaunay(Plots):
         places, more = state["places"], state["more"]
         kind = _core.Periodic2 if places.shape[1] == 2 else _core.Periodic3
         self._mesh = kind.build_again(state["vectors"], places, state["images"], state.get("free_indices", ()),
-                                      more["_threads"])
+                                      more["_threads"], more.setdefault("_report_changes", False))
         self.__dict__.update(more)
 
 
@@ -340,7 +360,7 @@ def _plain(points: ArrayLike) -> np.ndarray[typing.Any, typing.Any]:
 
 
 def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
-                  merge_duplicates: bool = False, threads: int = 1, *, box: ArrayLike, report_changes: bool = True,
+                  merge_duplicates: bool = False, threads: int = 1, *, box: ArrayLike, report_changes: bool = False,
                   seed: int = 0) -> PeriodicDelaunay:
     """What `MovingDelaunay` returns when it is given a box."""
     options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
@@ -350,4 +370,4 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
     for name, usual in (("tolerance", "certified"), ("merge_duplicates", False)):
         if options[name] != usual:
             raise NotAvailableError(f"{name}={options[name]!r} is not available with a periodic box yet")
-    return PeriodicDelaunay(points, box, options["threads"])
+    return PeriodicDelaunay(points, box, options["threads"], options["report_changes"])

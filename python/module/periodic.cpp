@@ -82,9 +82,9 @@ Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& pla
 template <int d>
 class Periodic {
   public:
-    Periodic(const py::object& points, const py::object& box, int threads)
-        : mesh_(built(Points_in<d>(points), vectors_of<d>(box), threads)) {}
-    Periodic(const Saved_periodic_mesh<d>& saved, int threads) : mesh_(built(saved, threads)) {}
+    Periodic(const py::object& points, const py::object& box, const Periodic_options& options)
+        : mesh_(built(Points_in<d>(points), vectors_of<d>(box), options)) {}
+    Periodic(const Saved_periodic_mesh<d>& saved, const Periodic_options& options) : mesh_(built(saved, options)) {}
 
     Report move(const py::object& points, const py::object& box) {
         const Points_in<d> x(points);
@@ -131,6 +131,15 @@ class Periodic {
         return py::make_tuple(give(std::move(n.first)), give(std::move(n.second)), give(std::move(n.distance)),
                               give_rows(std::move(n.vector)), give_rows(std::move(n.shift)), give(std::move(n.area)));
     }
+    /// The pairs that the last call made, or broke: first, second, shift.
+    py::tuple pairs(bool made) const {
+        Periodic_pairs<d> p = locked([&] {
+            if (!mesh_.options().report_changes)
+                throw Error(Error_code::usage, "the object was made without report_changes=True");
+            return made ? mesh_.changes().made : mesh_.changes().broken;
+        });
+        return py::make_tuple(give(std::move(p.first)), give(std::move(p.second)), give_rows(std::move(p.shift)));
+    }
     py::array neighbour_counts(double least, bool strict) const {
         return give(locked([&] { return mesh_.neighbour_counts(least, strict); }));
     }
@@ -159,13 +168,14 @@ class Periodic {
     }
 
   private:
-    static Periodic_mesh<d> built(const Points_in<d>& points, const typename Box<d>::Vectors& vectors, int threads) {
+    static Periodic_mesh<d> built(const Points_in<d>& points, const typename Box<d>::Vectors& vectors,
+                                  const Periodic_options& options) {
         const Without_gil without_gil;
-        return Periodic_mesh<d>(points.span(), Box<d>(vectors), {.threads = threads});
+        return Periodic_mesh<d>(points.span(), Box<d>(vectors), options);
     }
-    static Periodic_mesh<d> built(const Saved_periodic_mesh<d>& saved, int threads) {
+    static Periodic_mesh<d> built(const Saved_periodic_mesh<d>& saved, const Periodic_options& options) {
         const Without_gil without_gil;
-        return Periodic_mesh<d>(saved, {.threads = threads});
+        return Periodic_mesh<d>(saved, options);
     }
     static Report report(Move_result result) { return Report(std::move(result), d, false); }
     template <class Call>
@@ -183,18 +193,22 @@ template <int d>
 void add_periodic_mesh(py::module_& m, const char* name) {
     using P = Periodic<d>;
     py::class_<P>(m, name, not_by_new())
-        .def_static("build", [](const py::object& points, const py::object& box,
-                                int threads) { return std::make_unique<P>(points, box, threads); })
+        .def_static("build",
+                    [](const py::object& points, const py::object& box, int threads, bool report_changes) {
+                        return std::make_unique<P>(points, box, Periodic_options{threads, report_changes});
+                    })
         .def_static("build_again",
                     [](const py::object& vectors, const py::object& places, const py::object& images,
-                       const py::object& free_indices, int threads) {
-                        return std::make_unique<P>(saved_of<d>(vectors, places, images, free_indices), threads);
+                       const py::object& free_indices, int threads, bool report_changes) {
+                        return std::make_unique<P>(saved_of<d>(vectors, places, images, free_indices),
+                                                   Periodic_options{threads, report_changes});
                     })
         .def("state", &P::state)
         .def("move", &P::move)
         .def("insert", &P::insert)
         .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)
+        .def("pairs", &P::pairs)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi_volumes", &P::voronoi_volumes)
         .def("audit", &P::audit)

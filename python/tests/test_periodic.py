@@ -249,6 +249,42 @@ def test_points_come_and_go(d):
     assert (dt.nvertices, dt.nsimplex, dt.npoints) == (0, 0, 31) and dt.audit()
 
 
+def test_pairs_that_a_call_makes_and_breaks():
+    rng = np.random.default_rng(4)
+    x = points(60)
+    dt = annulus.MovingDelaunay(x, box=[1, 1, 1], report_changes=True)
+    assert [len(a) for a in (*dt.pairs_made, *dt.pairs_broken)] == [0] * 6
+
+    def pairs():  # by vectors of the fixed box, whatever images the points are
+        i, j, S = dt.neighbor_list("ijS")
+        home = np.where(dt.is_vertex[:, None], np.floor(x[:dt.npoints]), 0).astype(int)
+        return {(a, b, *s) for a, b, s in zip(i.tolist(), j.tolist(), (S + home[j] - home[i]).tolist())}
+
+    x = np.vstack((x, rng.random((1, 3))))
+    before = pairs()
+    turns = np.zeros((61, 3), int)
+    for turn in range(3):
+        turns = rng.integers(-3, 4, x.shape)
+        x = np.mod(x, 1) * 0.98 + 0.01 + turns  # no point crosses a border of the box
+        dt.move(x[:60])
+        after = pairs()
+        i, j, S = dt.pairs_made
+        assert S.dtype == np.int32 and S.shape == (len(i), 3) and np.all(i <= j)
+        made = {(a, b, *s) for a, b, s in zip(i.tolist(), j.tolist(), (S + turns[j] - turns[i]).tolist())}
+        assert made == {p for p in after - before if p[:2] != p[1::-1] and p[0] < p[1]}
+        assert len(dt.pairs_broken[0]) == sum(p[0] < p[1] for p in before - after)
+        before = after
+    dt.insert(x[60:])
+    i, j, S = dt.pairs_made
+    assert np.all((j == 60)) and len(i) == np.sum(dt.neighbor_list("i") == 60)
+    dt.remove([60])
+    assert np.array_equal(dt.pairs_broken[0], i) and np.array_equal(dt.pairs_broken[2], S)
+    assert pickle.loads(pickle.dumps(dt)).pairs_made[0].shape == (0,)
+    with pytest.raises(annulus.Error, match="report_changes") as caught:
+        annulus.MovingDelaunay(points(9), box=[1, 1, 1]).pairs_made
+    assert caught.value.code == "usage"
+
+
 def test_what_is_not_there_yet_says_so():
     dt = annulus.MovingDelaunay(points(9), box=[1, 1, 1])
     for name in ("recompute_tolerances", "find_simplex", "tolerances", "convex_hull", "theta"):

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/engine/cost_model.h>
+#include <annulus/engine/periodic_changes.h>
 #include <annulus/engine/periodic_editor.h>
 #include <annulus/engine/periodic_repair.h>
 #include <annulus/engine/periodic_state.h>
@@ -14,6 +15,21 @@
 #include <utility>
 
 namespace annulus::inline v1 {
+
+namespace {
+
+template <int d>
+Periodic_pairs<d> listed(const std::vector<Image_pair<d>>& pairs) {
+    Periodic_pairs<d> list;
+    for (const Image_pair<d>& p : pairs) {
+        list.first.push_back(p.first);
+        list.second.push_back(p.second);
+        list.shift.push_back(p.shift);
+    }
+    return list;
+}
+
+}  // namespace
 
 template <int d>
 struct Periodic_mesh<d>::Parts {
@@ -60,11 +76,28 @@ struct Periodic_mesh<d>::Parts {
         return result;
     }
 
+    /// Makes a call that changes the state, and lists the changes. Where it throws, the state is as it was.
+    template <class Call>
+    auto changing(Call call) {
+        if (!options.report_changes) return call();
+        Periodic_state<d> before = state;
+        try {
+            auto result = call();
+            const Image_pair_changes<d> pairs = periodic_changes(before, state);
+            changes = {listed(pairs.made), listed(pairs.broken)};
+            return result;
+        } catch (...) {
+            state = std::move(before);
+            throw;
+        }
+    }
+
     Periodic_options options;
     Periodic_builder<d> builder;
     Periodic_repair<d> repair;
     Periodic_editor<d> editor{builder, options.threads};
     Periodic_state<d> state;
+    Periodic_changes<d> changes;  // of the last call
 };
 
 template <int d>
@@ -89,7 +122,8 @@ Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<
     if (points.size() != index_bound())
         throw Error(Error_code::wrong_size,
                     std::to_string(points.size()) + " positions for " + std::to_string(index_bound()) + " vertices");
-    return parts_->move(parts_->placed(points.size(), points, box, parts_->state.free));
+    Periodic_state<d> next = parts_->placed(points.size(), points, box, parts_->state.free);
+    return parts_->changing([&] { return parts_->move(std::move(next)); });
 }
 template <int d>
 Index Periodic_mesh<d>::insert(const Point& p) {
@@ -98,7 +132,7 @@ Index Periodic_mesh<d>::insert(const Point& p) {
 template <int d>
 std::vector<Index> Periodic_mesh<d>::insert(std::span<const Point> points) {
     require_sound_environment();
-    return parts_->editor.insert(parts_->state, points);
+    return parts_->changing([&] { return parts_->editor.insert(parts_->state, points); });
 }
 template <int d>
 void Periodic_mesh<d>::remove(Index i) {
@@ -107,7 +141,10 @@ void Periodic_mesh<d>::remove(Index i) {
 template <int d>
 void Periodic_mesh<d>::remove(std::span<const Index> indices) {
     require_sound_environment();
-    parts_->editor.remove(parts_->state, indices);
+    parts_->changing([&] {
+        parts_->editor.remove(parts_->state, indices);
+        return true;
+    });
 }
 
 template <int d>
@@ -176,6 +213,10 @@ std::vector<double> Periodic_mesh<d>::voronoi_volumes() const {
     require_sound_environment();
     const Periodic_state<d>& state = parts_->state;
     return periodic_voronoi_volumes<d>(state.table, state.lattice, state.place);
+}
+template <int d>
+const Periodic_changes<d>& Periodic_mesh<d>::changes() const {
+    return parts_->changes;
 }
 template <int d>
 const Periodic_options& Periodic_mesh<d>::options() const {

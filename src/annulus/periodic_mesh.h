@@ -15,7 +15,23 @@ namespace annulus::inline v1 {
 
 /// What a caller can choose of a periodic mesh.
 struct Periodic_options {
-    int threads = 1;  ///< of a build: 1 or more, else Error(usage); the triangulation does not depend on it
+    int threads = 1;              ///< of a build: 1 or more, else Error(usage); the triangulation does not depend on it
+    bool report_changes = false;  ///< whether calls list the pairs that they make and break (Periodic_mesh::changes)
+};
+
+/// Pairs of neighbouring images: point second[k], moved by shift[k] . box, and point first[k]. Each pair once: first <=
+/// second, and of a point and an image of its own the greater of the two shifts. Ascending by (first, second, shift).
+template <int d>
+struct Periodic_pairs {
+    std::vector<Index> first, second;
+    std::vector<Shift<d>> shift;
+};
+/// The pairs that a call made and broke. Facets of the triangulation count, also those that are exactly empty
+/// (Periodic_neighbours).
+template <int d>
+struct Periodic_changes {
+    Periodic_pairs<d> made;    ///< shifts are between points() and by box() after the call
+    Periodic_pairs<d> broken;  ///< and before it
 };
 
 /// What a periodic mesh is made of, exactly: a mesh made of it is the same, bit for bit, wherever its points are.
@@ -114,6 +130,13 @@ class Periodic_mesh {
     /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's. NaN
     /// at free indices. O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
+
+    /// With options().report_changes: what the last call of move_all, insert or remove changed; nothing before the
+    /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:
+    /// a pair stays where each point moves to the image nearest to where the affine map of the boxes takes it. (Where a
+    /// box changes by half and more, so that no unimodular matrix relates the two, every pair is broken, and made.)
+    /// Such a call copies arrays, O(n), and sorts the edges of cells that have changed. Valid as long as points().
+    [[nodiscard]] const Periodic_changes<d>& changes() const;
 
     /// Exact audit of the cells, for places() and box(); see audit.h. O(n).
     [[nodiscard]] Audit_result audit() const { return annulus::audit(audit_input()); }

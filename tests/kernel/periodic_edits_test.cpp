@@ -372,6 +372,9 @@ TEST_CASE("An insertion or a removal in a box that runs out of memory changes no
 
 TEST_CASE("Insertion and removal in a box change cells near the point only", "[kernel][periodic]") {
     Periodic_cases cases(5);
+    // Cavities of different images touch.
+    CHECK(local_changes<2>(cases.box<2>(0), cases, 5, 40) == std::array<std::size_t, 2>{40, 40});
+    CHECK(local_changes<3>(cases.box<3>(0), cases, 8, 40) == std::array<std::size_t, 2>{40, 40});
     for (const int kind : {0, 4, 7}) {
         CAPTURE(kind);
         CHECK(local_changes<2>(cases.box<2>(kind), cases, 100, 40) == std::array<std::size_t, 2>{40, 40});

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/periodic_changes.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+constexpr double most_factor = 64;  // a factor of an old vector in a new one
+
+template <int d>
+using Matrix = std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)>;
+
+/// row times m.
+template <int d, class T>
+std::array<T, static_cast<std::size_t>(d)> product(const std::array<T, static_cast<std::size_t>(d)>& row,
+                                                   const Matrix<d>& m) {
+    std::array<T, static_cast<std::size_t>(d)> out{};
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) out[i] += row[j] * static_cast<T>(m[j][i]);
+    return out;
+}
+
+/// m with row k replaced.
+template <class Rows, class Row>
+Rows with_row(Rows m, std::size_t k, const Row& row) {
+    m[k] = row;
+    return m;
+}
+
+/// Coordinates in these vectors, by Cramer's rule.
+template <int d>
+Coordinates<d> in_vectors(const typename Box<d>::Vectors& vectors, const Coordinates<d>& p) {
+    const double whole = determinant_of_rows(vectors);
+    Coordinates<d> f;
+    for (std::size_t k = 0; k < d; ++k) f[k] = determinant_of_rows(with_row(vectors, k, p)) / whole;
+    return f;
+}
+
+/// The inverse of a matrix of determinant 1 or -1.
+template <int d>
+Matrix<d> inverse(const Matrix<d>& m, std::int64_t determinant) {
+    Matrix<d> w{};
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) {
+            std::array<std::int64_t, static_cast<std::size_t>(d)> unit{};
+            unit[j] = 1;
+            w[j][i] = determinant * determinant_of_rows(with_row(m, i, unit));
+        }
+    return w;
+}
+
+/// How shifts between given points before a change are written after it.
+template <int d>
+class Renaming {
+  public:
+    Renaming(const Periodic_state<d>& before, const Periodic_state<d>& after) {
+        Matrix<d> new_in_old{};
+        for (std::size_t j = 0; j < d; ++j) {
+            const Coordinates<d> f = in_vectors<d>(before.lattice.box(), after.lattice.box()[j]);
+            for (std::size_t i = 0; i < d; ++i) {
+                const double k = std::nearbyint(f[i]);
+                if (!(std::fabs(k) <= most_factor)) return;
+                new_in_old[j][i] = static_cast<std::int64_t>(k);
+            }
+        }
+        const std::int64_t determinant = determinant_of_rows(new_in_old);
+        if (determinant != 1 && determinant != -1) return;
+        to_new_ = inverse<d>(new_in_old, determinant);
+        is_related_ = true;
+        turns_.resize(std::max(before.place.size(), after.place.size()));
+        for (std::size_t v = 0; v < std::min(before.place.size(), after.place.size()); ++v) {
+            if (!is_place<d>(before.place[v]) || !is_place<d>(after.place[v])) continue;
+            const Coordinates<d> from = product<d>(in_vectors<d>(before.lattice.box(), before.place[v]), to_new_);
+            const Coordinates<d> to = in_vectors<d>(after.lattice.box(), after.place[v]);
+            const Shift<d> old_image = product<d>(before.image[v], to_new_);
+            for (std::size_t i = 0; i < d; ++i)
+                turns_[v][i] =
+                    static_cast<std::int32_t>(std::nearbyint(to[i] - from[i])) + after.image[v][i] - old_image[i];
+        }
+    }
+    [[nodiscard]] bool is_related() const { return is_related_; }
+    /// Of `to` less that of `from`.
+    [[nodiscard]] Shift<d> operator()(const Shift<d>& shift, Index from, Index to) const {
+        Shift<d> s = product<d>(shift, to_new_);
+        for (std::size_t i = 0; i < d; ++i)
+            s[i] += turns_[static_cast<std::size_t>(from)][i] - turns_[static_cast<std::size_t>(to)][i];
+        return s;
+    }
+
+  private:
+    Matrix<d> to_new_{};           // row j: old vector j as a combination of the new ones
+    std::vector<Shift<d>> turns_;  // by vertex: its new position less the affine image of its old one, in boxes
+    bool is_related_ = false;
+};
+
+/// An edge, and its name after the change.
+template <int d>
+struct Named_pair {
+    Image_pair<d> name, pair;
+    friend bool operator<(const Named_pair& l, const Named_pair& r) { return l.name < r.name; }
+};
+
+template <int d>
+Image_pair<d> in_order(Image_pair<d> p) {
+    Shift<d> back;
+    for (std::size_t i = 0; i < d; ++i) back[i] = -p.shift[i];
+    return p.first < p.second || (p.first == p.second && back < p.shift) ? p : Image_pair<d>{p.second, p.first, back};
+}
+
+template <int d>
+Shift<d> between(const Periodic_state<d>& state, std::size_t c, std::size_t a, std::size_t b) {
+    const Shift<d> from = state.shift(state.table.image(c, a), true);
+    Shift<d> to = state.shift(state.table.image(c, b), true);
+    for (std::size_t i = 0; i < d; ++i) to[i] -= from[i];
+    return to;
+}
+
+/// The edges of these cells by name, each once.
+template <int d, class Name>
+std::vector<Named_pair<d>> edges_of(const Periodic_state<d>& state, const std::vector<std::size_t>& cells, Name name) {
+    std::vector<Named_pair<d>> edges;
+    for (const std::size_t c : cells)
+        for (std::size_t a = 0; a <= d; ++a)
+            for (std::size_t b = a + 1; b <= d; ++b) {
+                const Image_pair<d> p{state.table.vertex[c][a], state.table.vertex[c][b], between(state, c, a, b)};
+                edges.push_back({in_order<d>({p.first, p.second, name(p)}), in_order<d>(p)});
+            }
+    std::sort(edges.begin(), edges.end());
+    const auto same = [](const auto& l, const auto& r) { return l.name == r.name; };
+    edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
+    return edges;
+}
+
+}  // namespace
+
+template <int d>
+Image_pair_changes<d> periodic_changes(const Periodic_state<d>& before, const Periodic_state<d>& after) {
+    const Renaming<d> renamed(before, after);
+    const auto is_same = [&](std::size_t c) {
+        if (c >= before.table.size() || c >= after.table.size() || !renamed.is_related() ||
+            before.table.vertex[c] != after.table.vertex[c])
+            return false;
+        for (std::size_t i = 1; i <= d; ++i) {
+            const auto& v = before.table.vertex[c];
+            if (renamed(between(before, c, 0, i), v[0], v[i]) != between(after, c, 0, i)) return false;
+        }
+        return true;
+    };
+    std::vector<std::size_t> gone, came;
+    for (std::size_t c = 0; c < std::max(before.table.size(), after.table.size()); ++c) {
+        if (is_same(c)) continue;
+        if (c < before.table.size()) gone.push_back(c);
+        if (c < after.table.size()) came.push_back(c);
+    }
+    const auto old_edges = edges_of(before, gone, [&](const Image_pair<d>& p) {
+        return renamed.is_related() ? renamed(p.shift, p.first, p.second) : p.shift;
+    });
+    const auto new_edges = edges_of(after, came, [](const Image_pair<d>& p) { return p.shift; });
+    Image_pair_changes<d> changes;
+    const auto has = [](const auto& edges, const Named_pair<d>& e) {
+        return std::binary_search(edges.begin(), edges.end(), e);
+    };
+    for (const Named_pair<d>& e : old_edges)
+        if (!renamed.is_related() || !has(new_edges, e)) changes.broken.push_back(e.pair);
+    for (const Named_pair<d>& e : new_edges)
+        if (!renamed.is_related() || !has(old_edges, e)) changes.made.push_back(e.pair);
+    std::sort(changes.broken.begin(), changes.broken.end());
+    return changes;
+}
+
+template Image_pair_changes<2> periodic_changes(const Periodic_state<2>&, const Periodic_state<2>&);
+template Image_pair_changes<3> periodic_changes(const Periodic_state<3>&, const Periodic_state<3>&);
+
+}  // namespace annulus::inline v1
