@@ -298,5 +298,129 @@ module annulus_c
             integer(c_int32_t), intent(inout), optional :: vertices(*)
             integer(c_size_t), intent(inout) :: count
         end function
+        ! Periodic boxes.
+        integer(c_int) function annulus_periodic_create(mesh, dimension, points, coordinates, box, &
+                options) bind(c)
+            import
+            type(c_ptr), intent(out) :: mesh
+            integer(c_int), value :: dimension
+            integer(c_size_t), value :: points
+            real(c_double), intent(in), optional :: coordinates(*)
+            real(c_double), intent(in) :: box(*)
+            type(annulus_options), intent(in), optional :: options
+        end function
+        subroutine annulus_periodic_destroy(mesh) bind(c)
+            import
+            type(c_ptr), intent(inout) :: mesh
+        end subroutine
+        integer(c_size_t) function annulus_periodic_message(mesh, buffer, capacity) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+        end function
+        integer(c_size_t) function annulus_periodic_error_vertices(mesh, capacity, vertices) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*)
+        end function
+        integer(c_int) function annulus_periodic_move_all(mesh, points, coordinates, box, report) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: points
+            real(c_double), intent(in) :: coordinates(*)
+            real(c_double), intent(in), optional :: box(*)
+            type(annulus_report), intent(inout), optional :: report
+        end function
+        integer(c_int) function annulus_periodic_insert(mesh, count, coordinates, indices) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: count
+            real(c_double), intent(in) :: coordinates(*)
+            integer(c_int32_t), intent(inout) :: indices(*)
+        end function
+        integer(c_int) function annulus_periodic_remove(mesh, count, indices) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(in) :: indices(*)
+        end function
+        integer(c_int) function annulus_periodic_dimension(mesh, dimension) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int), intent(out) :: dimension
+        end function
+        integer(c_int) function annulus_periodic_vertex_count(mesh, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_index_bound(mesh, bound) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), intent(inout) :: bound
+        end function
+        integer(c_int) function annulus_periodic_is_vertex(mesh, index, answer) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_int32_t), value :: index
+            integer(c_int), intent(out) :: answer
+        end function
+        integer(c_int) function annulus_periodic_box(mesh, box) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            real(c_double), intent(inout) :: box(*)
+        end function
+        integer(c_int) function annulus_periodic_points(mesh, capacity, coordinates) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(inout) :: coordinates(*)
+        end function
+        integer(c_int) function annulus_periodic_voronoi(mesh, capacity, volumes) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(inout) :: volumes(*)
+        end function
+        integer(c_int) function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, &
+                translations, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*), offsets(*), neighbours(*), translations(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_neighbours(mesh, capacity, first, second, shifts, vectors, &
+                distances, areas, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
+            real(c_double), intent(inout), optional :: vectors(*), distances(*), areas(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_pairs_made(mesh, capacity, first, second, shifts, &
+                count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_pairs_broken(mesh, capacity, first, second, shifts, &
+                count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_audit(mesh, result) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            type(annulus_audit_result), intent(inout) :: result
+        end function
     end interface
 end module annulus_c

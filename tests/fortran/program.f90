@@ -7,7 +7,8 @@ program test_fortran
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int64_t, c_ptr, c_sizeof, c_size_t
     use annulus
     use annulus_c, only: annulus_audit, annulus_create, annulus_destroy, annulus_interface, annulus_message_vertices, &
-        annulus_options, ANNULUS_INTERFACE_OF_MODULE
+        annulus_options, annulus_periodic_create, annulus_periodic_destroy, annulus_periodic_move_all, &
+        annulus_periodic_neighbours, annulus_periodic_voronoi, ANNULUS_INTERFACE_OF_MODULE
     use checks
     use test_measures, only: a_square, measures
     use test_moves, only: moves
@@ -25,6 +26,7 @@ program test_fortran
     call options()
     call without_a_mesh()
     call raw()
+    call periodic()
     print '(a, 2(i0, a))', 'fortran: ', checked, ' checks, ', failed, ' failures'
     if (failed > 0 .or. checked == 0) error stop 1
 
@@ -59,5 +61,29 @@ contains
         pair = -9
         call expect(annulus_message_vertices(handle, pair) == 2, 'annulus_message_vertices')
         call expect(all(pair == [0, 1]), 'indices from 0')
+    end subroutine
+
+    ! Copper: four atoms in a cube, which is sheared; four cells of a quarter, neighbours in both directions.
+    subroutine periodic()
+        type(c_ptr) :: handle
+        real(c_double) :: x(3, 4), box(3, 3), volumes(4)
+        real(c_double), allocatable :: areas(:)
+        integer(c_int32_t), allocatable :: i(:), j(:), shifts(:, :)
+        integer(c_size_t) :: pairs
+        x = reshape([0d0, 0d0, 0d0, .5d0, .5d0, 0d0, .5d0, 0d0, .5d0, 0d0, .5d0, .5d0], [3, 4])
+        box = reshape([1d0, 0d0, 0d0, 0d0, 1d0, 0d0, 0d0, 0d0, 1d0], [3, 3])
+        call expect(annulus_periodic_create(handle, 3, 4_c_size_t, x, box) == ANNULUS_OK, 'annulus_periodic_create')
+        call expect(annulus_periodic_neighbours(handle, 0_c_size_t, count=pairs) == ANNULUS_OK, 'a count of pairs')
+        allocate (i(pairs), j(pairs), shifts(3, pairs), areas(pairs))
+        call expect(annulus_periodic_neighbours(handle, pairs, i, j, shifts, areas=areas, count=pairs) == ANNULUS_OK, &
+            'annulus_periodic_neighbours')
+        call expect(count(i == 0 .and. areas > 0) == 12, 'neighbours of an atom')
+        box(1, 2) = 0.125d0
+        x(1, :) = x(1, :) + 0.125d0 * x(2, :)
+        call expect(annulus_periodic_move_all(handle, 4_c_size_t, x, box) == ANNULUS_OK, 'annulus_periodic_move_all')
+        call expect(annulus_periodic_voronoi(handle, 4_c_size_t, volumes) == ANNULUS_OK, 'annulus_periodic_voronoi')
+        call expect(all(abs(volumes - 0.25d0) < 1e-9), 'volumes in a box')
+        call annulus_periodic_destroy(handle)
+        call expect(.not. c_associated(handle), 'annulus_periodic_destroy')
     end subroutine
 end program test_fortran

@@ -302,9 +302,113 @@ function annulus_edges_broken(mesh, capacity, vertices, count)
                  mesh, capacity, vertices, count)
 end
 
+# Periodic boxes
+
 function annulus_t1(mesh, capacity, vertices, count)
     return ccall((:annulus_t1, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
                  mesh, capacity, vertices, count)
+end
+
+function annulus_periodic_create(mesh, dimension, points, coordinates, box, options)
+    return ccall((:annulus_periodic_create, library), Cint,
+                 (Ptr{Ptr{Cvoid}}, Cint, Csize_t, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Options}),
+                 mesh, dimension, points, coordinates, box, options)
+end
+
+function annulus_periodic_destroy(mesh)
+    return ccall((:annulus_periodic_destroy, library), Cvoid, (Ptr{Ptr{Cvoid}},),
+                 mesh)
+end
+
+function annulus_periodic_message(mesh, buffer, capacity)
+    return ccall((:annulus_periodic_message, library), Csize_t, (Ptr{Cvoid}, Ptr{UInt8}, Csize_t),
+                 mesh, buffer, capacity)
+end
+
+function annulus_periodic_error_vertices(mesh, capacity, vertices)
+    return ccall((:annulus_periodic_error_vertices, library), Csize_t, (Ptr{Cvoid}, Csize_t, Ptr{Int32}),
+                 mesh, capacity, vertices)
+end
+
+function annulus_periodic_move_all(mesh, points, coordinates, box, report)
+    return ccall((:annulus_periodic_move_all, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Report}),
+                 mesh, points, coordinates, box, report)
+end
+
+function annulus_periodic_insert(mesh, count, coordinates, indices)
+    return ccall((:annulus_periodic_insert, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Int32}),
+                 mesh, count, coordinates, indices)
+end
+
+function annulus_periodic_remove(mesh, count, indices)
+    return ccall((:annulus_periodic_remove, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}),
+                 mesh, count, indices)
+end
+
+function annulus_periodic_dimension(mesh, dimension)
+    return ccall((:annulus_periodic_dimension, library), Cint, (Ptr{Cvoid}, Ptr{Cint}),
+                 mesh, dimension)
+end
+
+function annulus_periodic_vertex_count(mesh, count)
+    return ccall((:annulus_periodic_vertex_count, library), Cint, (Ptr{Cvoid}, Ptr{Csize_t}),
+                 mesh, count)
+end
+
+function annulus_periodic_index_bound(mesh, bound)
+    return ccall((:annulus_periodic_index_bound, library), Cint, (Ptr{Cvoid}, Ptr{Csize_t}),
+                 mesh, bound)
+end
+
+function annulus_periodic_is_vertex(mesh, index, answer)
+    return ccall((:annulus_periodic_is_vertex, library), Cint, (Ptr{Cvoid}, Int32, Ptr{Cint}),
+                 mesh, index, answer)
+end
+
+function annulus_periodic_box(mesh, box)
+    return ccall((:annulus_periodic_box, library), Cint, (Ptr{Cvoid}, Ptr{Cdouble}),
+                 mesh, box)
+end
+
+function annulus_periodic_points(mesh, capacity, coordinates)
+    return ccall((:annulus_periodic_points, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}),
+                 mesh, capacity, coordinates)
+end
+
+function annulus_periodic_voronoi(mesh, capacity, volumes)
+    return ccall((:annulus_periodic_voronoi, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}),
+                 mesh, capacity, volumes)
+end
+
+function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, translations, count)
+    return ccall((:annulus_periodic_cells, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, offsets, neighbours, translations, count)
+end
+
+function annulus_periodic_neighbours(mesh, capacity, first, second, shifts, vectors, distances, areas, count)
+    return ccall((:annulus_periodic_neighbours, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Cdouble}, Ptr{Cdouble},
+                  Ptr{Cdouble}, Ptr{Csize_t}),
+                 mesh, capacity, first, second, shifts, vectors, distances, areas, count)
+end
+
+function annulus_periodic_pairs_made(mesh, capacity, first, second, shifts, count)
+    return ccall((:annulus_periodic_pairs_made, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, first, second, shifts, count)
+end
+
+function annulus_periodic_pairs_broken(mesh, capacity, first, second, shifts, count)
+    return ccall((:annulus_periodic_pairs_broken, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, first, second, shifts, count)
+end
+
+function annulus_periodic_audit(mesh, result)
+    return ccall((:annulus_periodic_audit, library), Cint, (Ptr{Cvoid}, Ptr{AuditResult}),
+                 mesh, result)
 end
 
 end
