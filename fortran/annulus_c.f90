@@ -401,6 +401,14 @@ module annulus_c
             real(c_double), intent(inout), optional :: vectors(*), distances(*), areas(*)
             integer(c_size_t), intent(inout) :: count
         end function
+        integer(c_int) function annulus_periodic_find_cells(mesh, points, coordinates, cells, shifts) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: points
+            real(c_double), intent(in) :: coordinates(*)
+            integer(c_int32_t), intent(inout) :: cells(*)
+            integer(c_int32_t), intent(inout), optional :: shifts(*)
+        end function
         integer(c_int) function annulus_periodic_pairs_made(mesh, capacity, first, second, shifts, &
                 count) bind(c)
             import

@@ -15,10 +15,9 @@ from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
-_MISSING = ("recompute_tolerances", "find_simplex", "convex_hull", "flat_simplices",
-            "vertex_neighbor_vertices", "vertex_to_simplex", "tolerances", "theta", "displacements",
-            "vertex_of_input", "affine_dimension", "edges", "voronoi", "voronoi_polytopes", "voronoi_vjp",
-            "voronoi_jacobian", "nearest_vertex", "interpolate")
+_MISSING = ("recompute_tolerances", "convex_hull", "flat_simplices", "vertex_neighbor_vertices", "vertex_to_simplex",
+            "tolerances", "theta", "displacements", "vertex_of_input", "affine_dimension", "edges", "voronoi",
+            "voronoi_polytopes", "voronoi_vjp", "voronoi_jacobian", "nearest_vertex", "interpolate")
 
 
 class NotAvailableError(Error, NotImplementedError, AttributeError):
@@ -220,6 +219,29 @@ class PeriodicDelaunay(Plots):
                         "usage")
         arrays = dict(zip(_QUANTITIES, self._mesh.neighbours()))
         return arrays[quantities] if len(quantities) == 1 else tuple(arrays[q] for q in quantities)
+
+    def find_simplex(self, xi: ArrayLike) -> tuple[Indices, Indices]:
+        """The simplices that contain points, decided exactly for the points as they would be rounded.
+
+        Parameters
+        ----------
+        xi : array_like, shape (k, d)
+            Inside the box or not.
+
+        Returns
+        -------
+        simplices : ndarray of int32, shape (k,)
+            -1 for a point with a coordinate that is NaN, and without simplices.
+        shifts : ndarray of int32, shape (k, d)
+            Which image of the simplex it is: its corners are at ``points[simplices[s]] + (simplex_offsets[s] + shift)
+            @ box``.
+
+        Raises
+        ------
+        Error
+            With the codes ``wrong_size``, ``not_finite`` for infinity, ``out_of_domain``.
+        """
+        return self._mesh.find_simplex(_plain(xi))
 
     @property
     def pairs_made(self) -> tuple[Indices, Indices, Indices]:

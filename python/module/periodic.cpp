@@ -131,6 +131,18 @@ class Periodic {
         return py::make_tuple(give(std::move(n.first)), give(std::move(n.second)), give(std::move(n.distance)),
                               give_rows(std::move(n.vector)), give_rows(std::move(n.shift)), give(std::move(n.area)));
     }
+    /// The cells that contain points, and their shifts.
+    py::tuple find_simplex(const py::object& points) const {
+        const Points_in<d> x(points);
+        const auto found = locked([&] { return mesh_.find_cells(x.span()); });
+        std::vector<Index> cells;
+        std::vector<Shift<d>> shifts;
+        for (const Periodic_location<d>& at : found) {
+            cells.push_back(at.cell);
+            shifts.push_back(at.shift);
+        }
+        return py::make_tuple(give(std::move(cells)), give_rows(std::move(shifts)));
+    }
     /// The pairs that the last call made, or broke: first, second, shift.
     py::tuple pairs(bool made) const {
         Periodic_pairs<d> p = locked([&] {
@@ -208,6 +220,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("insert", &P::insert)
         .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)
+        .def("find_simplex", &P::find_simplex)
         .def("pairs", &P::pairs)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi_volumes", &P::voronoi_volumes)

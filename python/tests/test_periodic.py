@@ -249,6 +249,20 @@ def test_points_come_and_go(d):
     assert (dt.nvertices, dt.nsimplex, dt.npoints) == (0, 0, 31) and dt.audit()
 
 
+def test_find_simplex_names_the_image_that_contains_the_point():
+    dt = annulus.MovingDelaunay(points(80) @ TILTED, box=TILTED)
+    xi = (6 * points(200, seed=5) - 3) @ TILTED
+    simplices, shifts = dt.find_simplex(xi)
+    assert simplices.dtype == shifts.dtype == np.int32 and shifts.shape == (200, 3)
+    corners = dt.points[dt.simplices[simplices]] + (dt.simplex_offsets[simplices] + shifts[:, None]) @ dt.box
+    weights = np.linalg.solve((corners[:, 1:] - corners[:, :1]).transpose(0, 2, 1), (xi - corners[:, 0])[..., None])
+    assert np.all(weights > -1e-9) and np.all(weights.sum(axis=1) < 1 + 1e-9)
+    assert dt.find_simplex([[np.nan, 0, 0]])[0][0] == -1 and len(dt.find_simplex(np.empty((0, 3)))[0]) == 0
+    with pytest.raises(annulus.Error) as caught:
+        dt.find_simplex([[0, 0, 0], [0, np.inf, 0]])
+    assert (caught.value.code, caught.value.vertices) == ("not_finite", (1,))
+
+
 def test_pairs_that_a_call_makes_and_breaks():
     rng = np.random.default_rng(4)
     x = points(60)
@@ -287,7 +301,7 @@ def test_pairs_that_a_call_makes_and_breaks():
 
 def test_what_is_not_there_yet_says_so():
     dt = annulus.MovingDelaunay(points(9), box=[1, 1, 1])
-    for name in ("recompute_tolerances", "find_simplex", "tolerances", "convex_hull", "theta"):
+    for name in ("recompute_tolerances", "edges", "tolerances", "convex_hull", "theta"):
         with pytest.raises(annulus.NotAvailableError, match=name):
             getattr(dt, name)
         with pytest.raises(NotImplementedError):

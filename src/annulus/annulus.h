@@ -430,6 +430,11 @@ ANNULUS_API int annulus_periodic_cells(const annulus_periodic* mesh, size_t capa
 ANNULUS_API int annulus_periodic_neighbours(const annulus_periodic* mesh, size_t capacity, int32_t* first,
                                             int32_t* second, int32_t* shifts, double* vectors, double* distances,
                                             double* areas, size_t* count);
+// For each point the number, in annulus_periodic_cells, of a cell that contains it, decided exactly for the point as it
+// is rounded, and what to add to the offsets of that cell; -1 without cells and for NaN. shifts may be NULL.
+// Errors: NOT_FINITE for infinity, OUT_OF_DOMAIN, ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_find_cells(const annulus_periodic* mesh, size_t points, const double* coordinates,
+                                            int32_t* cells, int32_t* shifts);
 // With options.report_changes: the pairs that the last call that changed the mesh made and broke, each once, first <=
 // second; shifts of pairs that were broken are those before the call. Points given as other images change nothing, nor
 // does another basis of the box. Every array may be NULL.

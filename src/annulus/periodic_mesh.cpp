@@ -9,7 +9,9 @@
 #include <annulus/engine/periodic_repair.h>
 #include <annulus/engine/periodic_state.h>
 #include <annulus/kernel/periodic_builder.h>
+#include <annulus/kernel/periodic_locate.h>
 #include <annulus/measure/periodic_voronoi.h>
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -191,6 +193,31 @@ template <int d>
 Periodic_audit_input<d> Periodic_mesh<d>::audit_input() const {
     const Periodic_state<d>& state = parts_->state;
     return {state.place, state.lattice.box(), state.cells(false)};
+}
+template <int d>
+Periodic_location<d> Periodic_mesh<d>::find_cell(const Point& p) const {
+    return find_cells(std::span(&p, 1)).front();
+}
+template <int d>
+std::vector<Periodic_location<d>> Periodic_mesh<d>::find_cells(std::span<const Point> points) const {
+    require_sound_environment();
+    const Periodic_state<d>& state = parts_->state;
+    std::vector<Periodic_location<d>> found(points.size());
+    if (state.table.size() == 0) return found;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (std::any_of(points[k].begin(), points[k].end(), [](double c) { return std::isnan(c); })) continue;
+        const Representative<d> r = state.lattice.representative(points[k], static_cast<std::int64_t>(k));
+        const Lifted_cell<d> at = locate<d>(state.table, state.lattice, state.place, r.place);
+        Shift<d> least = state.shift(state.table.image(at.cell, 0), true);  // what cells() subtracts
+        for (std::size_t i = 1; i <= d; ++i) {
+            const Shift<d> o = state.shift(state.table.image(at.cell, i), true);
+            for (std::size_t c = 0; c < d; ++c) least[c] = std::min(least[c], o[c]);
+        }
+        const Shift<d> seen = state.lattice.in_box(at.shift);
+        found[k].cell = static_cast<Index>(at.cell);
+        for (std::size_t c = 0; c < d; ++c) found[k].shift[c] = least[c] - seen[c] + r.image[c];
+    }
+    return found;
 }
 template <int d>
 Periodic_neighbours<d> Periodic_mesh<d>::neighbours() const {

@@ -43,6 +43,14 @@ struct Saved_periodic_mesh {
     std::vector<Index> free_indices{};   ///< of no vertex, what is there is not read; the next one to be used last
 };
 
+/// A cell of a periodic mesh as the one that contains a point: corner k of cell c is then at
+/// points[vertices[c][k]] + (offsets[c][k] + shift) . box.
+template <int d>
+struct Periodic_location {
+    Index cell = -1;  ///< its number in Periodic_mesh::cells(); -1: none
+    Shift<d> shift{};
+};
+
 /// The Delaunay triangulation of points in a periodic box, which moves with them: of all their translates by the
 /// vectors of the box, as finitely many cells with offsets. Any number of points from none on, in any box (box.h):
 /// there is no least number, and no copies of the box in the result. It is exact, and proved after every build: the
@@ -120,6 +128,12 @@ class Periodic_mesh {
     [[nodiscard]] std::size_t number_of_cells() const;
     /// The cells, with offsets that refer to points(). O(n).
     [[nodiscard]] Periodic_cells<d> cells() const;
+    /// The cell that contains p, in its interior or on its border: decided exactly, for p as it would be rounded if it
+    /// were inserted. -1 where there are no cells and for a coordinate that is NaN. Expected O(n^(1/(d + 1))), by a
+    /// walk; in a box that is much longer than wide O(n). Throws out_of_domain, naming p 0, and environment.
+    [[nodiscard]] Periodic_location<d> find_cell(const Point& p) const;
+    /// The same for several points; errors name the point. Infinity is not_finite.
+    [[nodiscard]] std::vector<Periodic_location<d>> find_cells(std::span<const Point> points) const;
     /// Every pair of Voronoi cells that the triangulation makes neighbours, with the measure of their common facet.
     /// O(n), a few microseconds a point.
     [[nodiscard]] Periodic_neighbours<d> neighbours() const;

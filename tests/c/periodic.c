@@ -165,6 +165,23 @@ static void check_coming_and_going(int d) {
     check_lists(mesh, d, volume);
     CHECK(is_delaunay(mesh));
 
+    // A vertex is a corner of the cell that contains it, and the middle of the box is in one.
+    int32_t found[2] = {-9, -9}, moved[6] = {0}, vertices[4 * most];
+    double two[6];
+    size_t cells = 0;
+    int corner = 0;
+    memcpy(two, x + 3 * d, (size_t)d * sizeof *x);
+    for (int c = 0; c < d; ++c) two[d + c] = c == 0 ? NAN : 0;
+    CHECK_STATUS(annulus_periodic_find_cells(mesh, 2, two, found, moved), ANNULUS_OK);
+    CHECK_STATUS(annulus_periodic_cells(mesh, most, vertices, NULL, NULL, NULL, &cells), ANNULUS_OK);
+    CHECK(found[0] >= 0 && (size_t)found[0] < cells && found[1] == -1);
+    for (int k = 0; k <= d; ++k)
+        if (vertices[(d + 1) * found[0] + k] == 3) corner = 1;
+    CHECK(corner);
+    two[d] = INFINITY;
+    CHECK_STATUS(annulus_periodic_find_cells(mesh, 2, two, found, NULL), ANNULUS_NOT_FINITE);
+    CHECK_STATUS(annulus_periodic_find_cells(mesh, 1, two, NULL, NULL), ANNULUS_NULL_POINTER);
+
     // All or none.
     int32_t named[4] = {-9, -9, -9, -9};
     char why[200];

@@ -394,6 +394,12 @@ function annulus_periodic_neighbours(mesh, capacity, first, second, shifts, vect
                  mesh, capacity, first, second, shifts, vectors, distances, areas, count)
 end
 
+function annulus_periodic_find_cells(mesh, points, coordinates, cells, shifts)
+    return ccall((:annulus_periodic_find_cells, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Int32}, Ptr{Int32}),
+                 mesh, points, coordinates, cells, shifts)
+end
+
 function annulus_periodic_pairs_made(mesh, capacity, first, second, shifts, count)
     return ccall((:annulus_periodic_pairs_made, library), Cint,
                  (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),

@@ -274,6 +274,20 @@ int annulus_periodic_neighbours(const annulus_periodic* mesh, size_t capacity, i
     });
 }
 
+int annulus_periodic_find_cells(const annulus_periodic* mesh, size_t points, const double* coordinates, int32_t* cells,
+                                int32_t* shifts) {
+    return on(mesh, [&](const auto& boxed) {
+        constexpr int d = std::decay_t<decltype(boxed)>::dimension;
+        require_count(points, "points");
+        require(coordinates, points, "coordinates");
+        require(cells, points, "cells");
+        for (const auto& found : boxed.mesh().find_cells(as_points<d>(coordinates, points))) {
+            *cells++ = found.cell;
+            if (shifts != nullptr) flatten(found.shift, shifts);
+        }
+    });
+}
+
 int annulus_periodic_pairs_made(const annulus_periodic* mesh, size_t capacity, int32_t* first, int32_t* second,
                                 int32_t* shifts, size_t* count) {
     return listed_pairs(mesh, capacity, first, second, shifts, count, true);

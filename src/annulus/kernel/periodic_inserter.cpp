@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/limits.h>
 #include <annulus/error.h>
+#include <annulus/kernel/periodic_locate.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/facet_side.h>
 #include <annulus/mesh/sort_unique.h>
@@ -12,8 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -53,14 +53,6 @@ int sign_of(const Places<d>& x) {
     return clear != 0 ? clear : exact_orientation_sign(corners).sign;
 }
 
-/// Whether places with this offset are exact (Lattice).
-template <int d>
-bool is_near(Offset<d> o) {
-    constexpr std::int32_t most = 8;
-    const Shift<d> s = o.unpacked();
-    return std::all_of(s.begin(), s.end(), [](std::int32_t c) { return -most <= c && c <= most; });
-}
-
 /// The sphere of a cell of the table holds p, an image of a point that is no vertex.
 template <int d>
 bool holds(const Periodic_scene<d>& scene, std::size_t c, const Coordinates<d>& p) {
@@ -91,46 +83,6 @@ bool Periodic_inserter<d>::enter(Lifted_cell<d> c) {
     return true;
 }
 
-/// A walk that crosses any facet that p is beyond; it ends, since the power of p to the spheres of its cells falls. It
-/// begins at the nearest of a few cells.
-template <int d>
-std::optional<Lifted_cell<d>> Periodic_inserter<d>::locate(const Scene& scene, const Coordinates<d>& p) const {
-    const Periodic_table<d>& table = scene.table;
-    const auto samples = static_cast<std::size_t>(std::pow(static_cast<double>(table.size()), 1.0 / (d + 1)));
-    Lifted_cell<d> at{};
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t c = 0; c < table.size(); c += table.size() / (samples + 1) + 1) {
-        const Coordinates<d> x = place_of(scene, table.image(c, 0));
-        Coordinates<d> way;
-        for (std::size_t i = 0; i < d; ++i) way[i] = x[i] - p[i];
-        way = scene.lattice.in_basis(way);
-        Shift<d> o;
-        for (std::size_t j = 0; j < d; ++j) o[j] = static_cast<std::int32_t>(std::nearbyint(way[j]));
-        const Offset<d> offset(o);
-        const Coordinates<d> q = scene.lattice.place(p, offset);
-        double squared = 0;
-        for (std::size_t i = 0; i < d; ++i) squared += (x[i] - q[i]) * (x[i] - q[i]);
-        if (squared >= least) continue;
-        least = squared;
-        at = {c, offset};
-    }
-    for (std::size_t step = 0; step <= 8 * table.size() + 64; ++step) {
-        if (!is_near(at.shift)) return {};
-        const Places<d> x = places_of(scene, at.cell);
-        const Coordinates<d> q = scene.lattice.place(p, at.shift);
-        std::size_t beyond = d + 1;
-        for (std::size_t k = 0; k <= d && beyond > d; ++k) {
-            const std::size_t i = (k + step) % (d + 1);
-            Places<d> y = x;
-            y[i] = q;
-            if (sign_of<d>(y) < 0) beyond = i;
-        }
-        if (beyond > d) return at;
-        at = {table.cell_of(table.twin[at.cell][beyond]), at.shift - table.translation(at.cell, beyond)};
-    }
-    return {};
-}
-
 template <int d>
 bool Periodic_inserter<d>::find_cavity(const Scene& scene, Lifted_cell<d> first, Index v) {
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
@@ -156,7 +108,7 @@ Periodic_insertion Periodic_inserter<d>::insert(const Scene& scene, Index v) {
     using enum Periodic_insertion::Outcome;
     begin(scene);
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
-    const std::optional<Lifted_cell<d>> found = locate(scene, p);
+    const std::optional<Lifted_cell<d>> found = walk_to(scene.table, scene.lattice, scene.place, p);
     if (!found) return {not_local};
     const Places<d> x = places_of(scene, found->cell);
     for (std::size_t i = 0; i <= d; ++i)
@@ -254,7 +206,8 @@ bool Periodic_inserter<d>::triangulate_link(const Scene& scene, Index v) {
 template <int d>
 bool Periodic_inserter<d>::remove(const Scene& scene, Index v) {
     begin(scene);
-    const std::optional<Lifted_cell<d>> found = locate(scene, scene.place[static_cast<std::size_t>(v)]);
+    const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
+    const std::optional<Lifted_cell<d>> found = walk_to(scene.table, scene.lattice, scene.place, p);
     if (!found) return false;
     const auto& vertices = scene.table.vertex[found->cell];
     if (std::find(vertices.begin(), vertices.end(), v) == vertices.end()) return false;

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,9 +59,6 @@ class Periodic_inserter {
   private:
     using Scene = Periodic_scene<d>;
 
-    /// A cell that contains the point p, and the offset of p as the cell sees it. Nothing where the walk to it goes too
-    /// far.
-    [[nodiscard]] std::optional<Lifted_cell<d>> locate(const Scene& scene, const Coordinates<d>& p) const;
     [[nodiscard]] bool find_cavity(const Scene& scene, Lifted_cell<d> first, Index v);
     [[nodiscard]] bool find_star(const Scene& scene, Lifted_cell<d> first, Index v);
     [[nodiscard]] bool triangulate_link(const Scene& scene, Index v);
