@@ -76,8 +76,8 @@ TEST_CASE("A finding says how cells and triangles have changed", "[report]") {
 
 TEST_CASE("A finding says how the mesh has changed", "[report]") {
     Run_record run = two_steps();
-    run.mesh_before = Mesh_step{.cells = 90, .slivers = 12, .dihedral_min = 0.5};
-    run.steps[1].mesh = Mesh_step{.cells = 88, .slivers = 3, .dihedral_min = 8.25};
+    run.mesh_before = Mesh_step{.cells = 90, .slivers = 12, .dihedral_min = 0.5, .dihedral = {}};
+    run.steps[1].mesh = Mesh_step{.cells = 88, .slivers = 3, .dihedral_min = 8.25, .dihedral = {}};
     CHECK(
         findings(run)[0] ==
         "The least dihedral angle of the mesh rose from 0.5 to 8.25 degrees, and the number of slivers fell from 12 to "
