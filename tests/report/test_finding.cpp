@@ -48,11 +48,11 @@ TEST_CASE("A finding says how far points moved, and what that took", "[report]")
         "In 2 steps points moved by 0.375 mean spacings a step on average, and by 2 at most. 75 % of the moves stayed "
         "within their tolerance: nothing had to be computed for them. 3 flips kept the triangulation Delaunay.\n");
     run.moves = {.asked = 200, .rebuilt = 200};
-    CHECK(contains(joined(findings(run)), "2 at most. The triangulation was built anew in every step."));
+    CHECK(contains(joined(findings(run)), "2 at most. The triangulation was rebuilt in every step."));
     run.moves = {.asked = 200, .within_tolerance = 19, .rebuilt = 100};
     run.steps[0].moves.rebuilt = 100;
     CHECK(contains(joined(findings(run)),
-                   "by 2 at most. 3 flips kept the triangulation Delaunay. It was built anew in 1 step.\n"));
+                   "by 2 at most. 3 flips kept the triangulation Delaunay. It was rebuilt in 1 step.\n"));
     run.steps.clear();
     CHECK(findings(run).empty());
 }

@@ -6,6 +6,7 @@
 #include <apps/cli/lloyd_scene.h>
 #include <apps/motion/cell_energy.h>
 #include <apps/motion/cell_quality.h>
+#include <apps/motion/region_cell_2.h>
 #include <apps/motion/voronoi_cell_2.h>
 #include <apps/report/face_limits.h>
 #include <apps/report/shades.h>
@@ -30,17 +31,20 @@ class View_maker {
         if (density != nullptr) view_.measures.energy = 0;
     }
 
-    void add_cell(const Coordinates<2>& site, bool on_hull, Index neighbours, const Cell_2& cell) {
+    /// A cell, in parts with disjoint interiors.
+    void add_cell(const Coordinates<2>& site, bool on_hull, Index neighbours, std::span<const Cell_2> parts) {
         const unsigned char shade = shade_of_neighbours(neighbours);
         if (!on_hull) {
             ++view_.measures.inner;
             ++view_.measures.neighbours[shade];
         }
-        if (density_ != nullptr) *view_.measures.energy += cell_energy(*density_, cell, site);
+        if (density_ != nullptr)
+            for (const Cell_2& part : parts) *view_.measures.energy += cell_energy(*density_, part, site);
         // The window of a page is that of two pictures, and may be a little larger than this one.
         const double off = std::max(std::fabs(site[0] - part_.centre[0]), std::fabs(site[1] - part_.centre[1]));
         if (part_.whole || off < 1.5 * part_.half_side)
-            view_.cells.faces.push_back({outline_of(cell), on_hull ? hull_shade : shade});
+            for (const Cell_2& part : parts)
+                view_.cells.faces.push_back({outline_of(part), on_hull ? hull_shade : shade});
     }
 
     void add_triangle(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) {
@@ -100,17 +104,20 @@ std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
 
 }  // namespace
 
-Plane_view plane_view(const Moving_mesh_2& dt, const Domain_2& domain, const Density_2* density, std::string caption) {
+Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density, std::string caption) {
     View_maker maker(present(dt), density, std::move(caption));
     const std::span<const Coordinates<2>> points = dt.points();
     Stars_2 stars;
     read_stars(dt, stars);
-    Voronoi_cell_2 cell_of(domain);
+    Voronoi_cell_2 cell_of(domain.hull());
+    std::optional<Region_cell_2> parts_of;
+    if (!domain.convex()) parts_of.emplace(domain);
     const std::vector<Index> sides = side_counts(dt);
-    for (std::size_t v = 0; v < sides.size(); ++v)
-        if (dt.is_vertex(static_cast<Index>(v)))
-            maker.add_cell(points[v], !stars.cyclic(v), sides[v],
-                           cell_of(points[v], stars.of(v), points, stars.cyclic(v)));
+    for (std::size_t v = 0; v < sides.size(); ++v) {
+        if (!dt.is_vertex(static_cast<Index>(v))) continue;
+        const Cell_2& cell = cell_of(points[v], stars.of(v), points, stars.cyclic(v));
+        maker.add_cell(points[v], !stars.cyclic(v), sides[v], parts_of ? (*parts_of)(cell) : std::span(&cell, 1));
+    }
     const auto at = [&](Index v) { return points[static_cast<std::size_t>(v)]; };
     for (const auto& c : dt.cells().vertices)
         if (c[2] != none) maker.add_triangle(at(c[0]), at(c[1]), at(c[2]));
@@ -155,8 +162,8 @@ std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* d
             numbers.push_back(static_cast<Index>(position.size()));
             position.push_back({points[v][0] + u[0], points[v][1] + u[1]});
         }
-        maker.add_cell(points[v], false, static_cast<Index>(vectors.size()),
-                       cell_of(points[v], numbers, position, true));
+        const Cell_2& cell = cell_of(points[v], numbers, position, true);
+        maker.add_cell(points[v], false, static_cast<Index>(vectors.size()), std::span(&cell, 1));
     }
     const Periodic_cells<2> cells = dt.mesh().cells();
     const auto& box = dt.mesh().box().vectors();

@@ -4,7 +4,7 @@
 #include <annulus/moving_mesh.h>
 #include <apps/cli/boxed_mesh.h>
 #include <apps/motion/density_2.h>
-#include <apps/motion/domain_2.h>
+#include <apps/motion/region_2.h>
 #include <apps/report/run_record.h>
 #include <apps/report/svg_triangulation.h>
 
@@ -19,9 +19,10 @@ struct Plane_view {
     Picture cells;  ///< Voronoi cells, with the shades of their numbers of neighbours; of many those in the middle
 };
 
-/// Voronoi cells are cut to the domain; with a density their energy is measured. Neighbours are those with a facet that
+/// Voronoi cells are cut to the domain, into several parts where it is not convex; with a density their energy is
+/// measured. Neighbours are those with a facet that
 /// is not exactly empty. Precondition: the triangulation is Delaunay. O(n), 4 microseconds a vertex.
-[[nodiscard]] Plane_view plane_view(const Moving_mesh_2& dt, const Domain_2& domain, const Density_2* density,
+[[nodiscard]] Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density,
                                     std::string caption);
 /// The cells are cut to a box around the points. Nothing where there is no such box: the points are in one place, or
 /// their distances are not between 1e-100 and 1e100.

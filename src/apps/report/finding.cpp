@@ -74,12 +74,12 @@ std::string on_steps(const Run_record& run) {
                        readable(sum / steps) + " mean spacings a step on average, and by " + readable(most) +
                        " at most.";
     if (run.moves.asked == 0) return text;
-    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was built anew in every step.";
+    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every step.";
     if (10 * run.moves.within_tolerance >= run.moves.asked)
         text += " " + percent(run.moves.within_tolerance, run.moves.asked) +
                 " of the moves stayed within their tolerance: nothing had to be computed for them.";
     if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
-    if (built > 0) text += " It was built anew in " + count_of(built, "step", "steps") + ".";
+    if (built > 0) text += " It was rebuilt in " + count_of(built, "step", "steps") + ".";
     return text;
 }
 
