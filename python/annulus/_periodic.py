@@ -11,13 +11,14 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments, _core, _outputs
 from ._error import Error, OpenBoundariesWarning
+from ._periodic_gradients import PeriodicGradients
 from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
 _MISSING = ("recompute_tolerances", "convex_hull", "flat_simplices", "vertex_neighbor_vertices", "vertex_to_simplex",
             "tolerances", "theta", "displacements", "vertex_of_input", "affine_dimension", "edges", "voronoi",
-            "voronoi_polytopes", "voronoi_vjp", "voronoi_jacobian", "nearest_vertex", "interpolate")
+            "voronoi_polytopes", "nearest_vertex", "interpolate")
 
 
 class NotAvailableError(Error, NotImplementedError, AttributeError):
@@ -28,7 +29,7 @@ class NotAvailableError(Error, NotImplementedError, AttributeError):
         super().__init__(what, code, vertices)
 
 
-class PeriodicDelaunay(Plots):
+class PeriodicDelaunay(PeriodicGradients, Plots):
     """The Delaunay triangulation of points in a periodic box: ``MovingDelaunay(points, box=box)`` makes one.
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with

@@ -2,6 +2,7 @@
 // The classes Periodic2 and Periodic3, behind annulus.PeriodicDelaunay.
 #include <module/arrays.h>
 #include <module/audit_tuple.h>
+#include <module/derivatives.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
 #include <module/process_mutex.h>
@@ -14,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -158,6 +160,14 @@ class Periodic {
     py::array voronoi_volumes() const {
         return give(locked([&] { return mesh_.voronoi_volumes(); }));
     }
+    py::array voronoi_gradient(const py::object& weights) const {
+        const Numbers g = weights_of(weights);
+        const std::span<const double> span(g.data(), static_cast<std::size_t>(g.size()));
+        return give_rows(locked([&] { return mesh_.voronoi_gradient(span); }));
+    }
+    py::tuple voronoi_jacobian() const {
+        return jacobian_tuple<d>(locked([&] { return mesh_.voronoi_jacobian(); }));
+    }
     py::tuple audit() const {
         return audit_tuple(locked([&] { return mesh_.audit(); }));
     }
@@ -224,6 +234,8 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("pairs", &P::pairs)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi_volumes", &P::voronoi_volumes)
+        .def("voronoi_gradient", &P::voronoi_gradient)
+        .def("voronoi_jacobian", &P::voronoi_jacobian)
         .def("audit", &P::audit)
         .def_property_readonly("points", &P::points)
         .def_property_readonly("box", &P::box)

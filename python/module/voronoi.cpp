@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voronoi diagrams of a mesh, gradients of volumes, neighbours, nearest vertices.
+#include <module/derivatives.h>
 #include <module/mesh_locked.h>
 #include <module/parts.h>
 
@@ -136,15 +137,13 @@ void add(py::module_& m) {
         return give(mesh.read([&](const Moving_mesh<d>& of) { return diagram_of<d>(of, clip).volume; }));
     });
     m.def("voronoi_gradient", [](const Mesh<d>& mesh, const py::object& weights) {
-        const Numbers g = numbers_of(weights, "g");
-        if (g.ndim() != 1) throw Error(Error_code::wrong_size, "g must have shape (npoints,), not " + shape_of(g));
+        const Numbers g = weights_of(weights);
         const std::span<const double> span(g.data(), static_cast<std::size_t>(g.size()));
         return give_rows(mesh.read([&](const Moving_mesh<d>& of) { return of.voronoi_gradient(span); }));
     });
     m.def("voronoi_jacobian", [](const Mesh<d>& mesh) {
-        Voronoi_jacobian<d> j = mesh.read(
-            [](const Moving_mesh<d>& of) { return voronoi_jacobian<d>(of.points(), of.cell_lists()->cells); });
-        return py::make_tuple(give(std::move(j.begin)), give(std::move(j.index)), give_rows(std::move(j.value)));
+        return jacobian_tuple<d>(mesh.read(
+            [](const Moving_mesh<d>& of) { return voronoi_jacobian<d>(of.points(), of.cell_lists()->cells); }));
     });
 }
 

@@ -246,6 +246,18 @@ const Periodic_changes<d>& Periodic_mesh<d>::changes() const {
     return parts_->changes;
 }
 template <int d>
+auto Periodic_mesh<d>::voronoi_gradient(std::span<const double> weights) const -> std::vector<Point> {
+    require_sound_environment();
+    const Periodic_state<d>& state = parts_->state;
+    return periodic_voronoi_gradient<d>(state.table, state.lattice, state.place, weights);
+}
+template <int d>
+Voronoi_jacobian<d> Periodic_mesh<d>::voronoi_jacobian() const {
+    require_sound_environment();
+    const Periodic_state<d>& state = parts_->state;
+    return periodic_voronoi_jacobian<d>(state.table, state.lattice, state.place);
+}
+template <int d>
 const Periodic_options& Periodic_mesh<d>::options() const {
     return parts_->options;
 }

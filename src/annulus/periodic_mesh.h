@@ -5,6 +5,7 @@
 #include <annulus/box.h>
 #include <annulus/error.h>
 #include <annulus/types.h>
+#include <annulus/voronoi.h>
 
 #include <cstddef>
 #include <memory>
@@ -144,6 +145,11 @@ class Periodic_mesh {
     /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's. NaN
     /// at free indices. O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
+    /// The gradient of sum_i weights[i] * volume_i, and the derivatives of all volumes: voronoi_gradient and
+    /// voronoi_jacobian (voronoi.h), with their errors, in a box that keeps its vectors. All images of a point move
+    /// with it, and a row of the matrix has one entry for all images of a neighbour. O(n). The first throws wrong_size.
+    [[nodiscard]] std::vector<Point> voronoi_gradient(std::span<const double> weights) const;
+    [[nodiscard]] Voronoi_jacobian<d> voronoi_jacobian() const;
 
     /// With options().report_changes: what the last call of move_all, insert or remove changed; nothing before the
     /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:

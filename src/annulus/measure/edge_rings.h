@@ -23,6 +23,11 @@ struct Edge_ring {
     bool open;  ///< the edge is in the hull: the facet before the first cell and that after the last one are
 };
 
+/// By edge of a cell in 3D: corners a, b, k, l, an even permutation. The cells around the edge from a to b,
+/// counter-clockwise seen from b, go on beyond the facet opposite to k.
+inline constexpr std::size_t edge_corners[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                                   {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
 /// Visits every edge of a triangulation once: of points that span d dimensions. O(n). Throws bad_input where neighbours
 /// have no facet in common, or the cells around an edge do not form one ring.
 template <int d>
@@ -52,8 +57,6 @@ class Edge_rings {
         Index cell;
         std::size_t a, b, k, l;
     };
-    static constexpr std::size_t ends[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
-                                               {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
 
     template <class Wanted, class Visit>
     void visit_edges(Index c, Wanted& wanted, Visit& visit) {
@@ -61,7 +64,7 @@ class Edge_rings {
         else
             for (std::size_t e = 0; e < 6; ++e)
                 if ((done_[at(c)] >> e & 1) == 0 &&
-                    wanted(cells_.vertices[at(c)][ends[e][0]], cells_.vertices[at(c)][ends[e][1]]))
+                    wanted(cells_.vertices[at(c)][edge_corners[e][0]], cells_.vertices[at(c)][edge_corners[e][1]]))
                     visit(ring_of(c, e));
     }
 
@@ -123,7 +126,7 @@ class Edge_rings {
     }
 
     Edge_ring ring_of(Index c, std::size_t e) {
-        Step s{c, ends[e][0], ends[e][1], ends[e][2], ends[e][3]};
+        Step s{c, edge_corners[e][0], edge_corners[e][1], edge_corners[e][2], edge_corners[e][3]};
         if (cells_.vertices[at(c)][s.a] > cells_.vertices[at(c)][s.b]) {
             std::swap(s.a, s.b);
             std::swap(s.k, s.l);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/periodic_places.h>
+#include <annulus/measure/periodic_rings.h>
 #include <annulus/measure/periodic_voronoi.h>
 
 #include <algorithm>
@@ -34,76 +35,47 @@ class Edges {
 
     /// Each edge in both directions.
     std::vector<Edge<d>> operator()() {
-        for (std::size_t c = 0; c < table_.size(); ++c)
-            for (std::size_t a = 0; a <= d; ++a)
-                for (std::size_t b = a + 1; b <= d; ++b) visit(c, a, b);
+        Periodic_rings<d>(table_).for_each([this](const Periodic_ring<d>& ring) { add(ring); });
         return std::move(edges_);
     }
 
   private:
-    using Table = Periodic_table<d>;
-
-    /// Takes the edge of these corners if c has the least number of all cells around it.
-    void visit(std::size_t c, std::size_t a, std::size_t b) {
-        const Image<d> from = table_.image(c, a), to = table_.image(c, b);
-        const Coordinates<d> here = places_.at(from);
-        Coordinates<d> vector = places_.at(to);
+    void add(const Periodic_ring<d>& ring) {
+        const Coordinates<d> here = places_.at(ring.from);
+        Coordinates<d> vector = places_.at(ring.to);
         for (std::size_t i = 0; i < d; ++i) vector[i] -= here[i];
-        double area = 0;
-        if constexpr (d == 2) {
-            const std::size_t i = 3 - a - b;
-            const Corner_index t = table_.twin[c][i];
-            const std::size_t m = Table::cell_of(t);
-            if (m < c) return;
-            if (table_.cospherical[c][i] == 0) {
-                const Coordinates<2> one = places_.centre(c, {}, here);
-                const Coordinates<2> other = places_.centre(m, table_.translation(c, i), here);
-                // The facet is perpendicular to the edge: along it a long box would leave its rounding only.
-                const double cross = (other[0] - one[0]) * vector[1] - (other[1] - one[1]) * vector[0];
-                area = positive(std::fabs(cross) / std::hypot(vector[0], vector[1]));
-            }
-        } else if (!go_round(c, a, b, here, vector, area)) {
-            return;
-        }
-        const Shift<d> shift = lattice_.in_box(to.label - from.label);
-        add(from.vertex, to.vertex, shift, vector, area, 1);
-        add(to.vertex, from.vertex, shift, vector, area, -1);
+        const double area = ring.empty ? 0 : positive(area_of(ring, here, vector));
+        const Shift<d> shift = lattice_.in_box(ring.to.label);
+        add(ring.from.vertex, ring.to.vertex, shift, vector, area, 1);
+        add(ring.to.vertex, ring.from.vertex, shift, vector, area, -1);
     }
 
-    /// The area of the polygon of circumcentres around an edge; false where a cell has a smaller number than c. The
-    /// cells around an edge are different ones (docs/theory.md 8.1), so that the first to come again is c.
-    bool go_round(std::size_t c, std::size_t a, std::size_t b, const Coordinates<d>& here, const Coordinates<d>& vector,
-                  double& area) const {
-        // Leaves through the facet opposite to `leave`; the other one of these two stays.
-        std::size_t leave = 0;
-        while (leave == a || leave == b) ++leave;
-        std::size_t cell = c, stays = 6 - a - b - leave;
-        Offset<d> shift;
-        int different = 0;
-        const Coordinates<d> first = places_.centre(c, {}, here);
-        Coordinates<d> last = first, doubled{};
-        do {
-            const Corner_index t = table_.twin[cell][leave];
-            const std::size_t m = Table::cell_of(t);
-            if (m < c) return false;
-            if (table_.cospherical[cell][leave] == 0) ++different;
-            const Image<d> kept = table_.image(cell, stays, shift);
-            shift = shift + table_.translation(cell, leave);
-            cell = m;
-            leave = table_.slot(m, kept, shift);
-            stays = Table::slot_of(t);
-            const Coordinates<d> next = places_.centre(cell, shift, here);
-            for (std::size_t i = 0; i < d; ++i) {
-                const std::size_t j = (i + 1) % d, k = (i + 2) % d;
-                doubled[i] += (last[j] - first[j]) * (next[k] - first[k]) - (last[k] - first[k]) * (next[j] - first[j]);
+    /// Of the polygon of the circumcentres around the edge `vector` from `here`.
+    double area_of(const Periodic_ring<d>& ring, const Coordinates<d>& here, const Coordinates<d>& vector) const {
+        const auto centre = [&](std::size_t k) {
+            return places_.centre(ring.cells[k].number, ring.cells[k].shift, here);
+        };
+        const Coordinates<d> first = centre(0);
+        Coordinates<d> last = centre(1);
+        if constexpr (d == 2) {
+            // The facet is perpendicular to the edge: along it a long box would leave its rounding only.
+            const double cross = (last[0] - first[0]) * vector[1] - (last[1] - first[1]) * vector[0];
+            return std::fabs(cross) / std::hypot(vector[0], vector[1]);
+        } else {
+            Coordinates<d> doubled{};
+            for (std::size_t c = 2; c < ring.cells.size(); ++c) {
+                const Coordinates<d> next = centre(c);
+                for (std::size_t i = 0; i < d; ++i) {
+                    const std::size_t j = (i + 1) % d, k = (i + 2) % d;
+                    doubled[i] +=
+                        (last[j] - first[j]) * (next[k] - first[k]) - (last[k] - first[k]) * (next[j] - first[j]);
+                }
+                last = next;
             }
-            last = next;
-        } while (cell != c);
-        if (different <= 2) return true;
-        double sum = 0;
-        for (std::size_t i = 0; i < d; ++i) sum += doubled[i] * vector[i];
-        area = positive(std::fabs(sum) / (2 * length<d>(vector)));
-        return true;
+            double sum = 0;
+            for (std::size_t i = 0; i < d; ++i) sum += doubled[i] * vector[i];
+            return std::fabs(sum) / (2 * length<d>(vector));
+        }
     }
 
     /// In the caller's unit. The facet is not empty, whatever its computed area.

@@ -4,6 +4,7 @@
 #include <annulus/box.h>
 #include <annulus/mesh/periodic_table.h>
 #include <annulus/space/lattice.h>
+#include <annulus/voronoi.h>
 
 #include <span>
 #include <vector>
@@ -31,6 +32,19 @@ template <int d>
 [[nodiscard]] std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, const Lattice<d>& lattice,
                                                            std::span<const Coordinates<d>> place);
 
+/// voronoi_gradient (voronoi.h) of a periodic box that keeps its vectors, with the same errors: all images of a vertex
+/// move with it. O(n). Throws wrong_size unless there is a weight for each place.
+template <int d>
+[[nodiscard]] std::vector<Coordinates<d>> periodic_voronoi_gradient(const Periodic_table<d>& table,
+                                                                    const Lattice<d>& lattice,
+                                                                    std::span<const Coordinates<d>> place,
+                                                                    std::span<const double> weights);
+
+/// voronoi_jacobian of a periodic box. A row has an entry for each neighbouring vertex, the sum over its images.
+template <int d>
+[[nodiscard]] Voronoi_jacobian<d> periodic_voronoi_jacobian(const Periodic_table<d>& table, const Lattice<d>& lattice,
+                                                            std::span<const Coordinates<d>> place);
+
 extern template Periodic_neighbours<2> periodic_neighbours(const Periodic_table<2>&, const Lattice<2>&,
                                                            std::span<const Coordinates<2>>, std::span<const Shift<2>>);
 extern template Periodic_neighbours<3> periodic_neighbours(const Periodic_table<3>&, const Lattice<3>&,
@@ -39,5 +53,15 @@ extern template std::vector<double> periodic_voronoi_volumes(const Periodic_tabl
                                                              std::span<const Coordinates<2>>);
 extern template std::vector<double> periodic_voronoi_volumes(const Periodic_table<3>&, const Lattice<3>&,
                                                              std::span<const Coordinates<3>>);
+extern template std::vector<Coordinates<2>> periodic_voronoi_gradient(const Periodic_table<2>&, const Lattice<2>&,
+                                                                      std::span<const Coordinates<2>>,
+                                                                      std::span<const double>);
+extern template std::vector<Coordinates<3>> periodic_voronoi_gradient(const Periodic_table<3>&, const Lattice<3>&,
+                                                                      std::span<const Coordinates<3>>,
+                                                                      std::span<const double>);
+extern template Voronoi_jacobian<2> periodic_voronoi_jacobian(const Periodic_table<2>&, const Lattice<2>&,
+                                                              std::span<const Coordinates<2>>);
+extern template Voronoi_jacobian<3> periodic_voronoi_jacobian(const Periodic_table<3>&, const Lattice<3>&,
+                                                              std::span<const Coordinates<3>>);
 
 }  // namespace annulus::inline v1

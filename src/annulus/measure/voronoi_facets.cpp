@@ -52,8 +52,8 @@ bool Voronoi_facets<d>::is_cospherical(Index c, std::size_t k) {
     const auto& beyond = input_.cells.neighbours[at(n)];
     const auto back = static_cast<std::size_t>(std::find(beyond.begin(), beyond.end(), c) - beyond.begin());
     if (back > d) throw Error(Error_code::bad_input, "neighbours of cell " + std::to_string(c) + " are not mutual");
-    const Seen here = seen_from(v[0], c);
-    const Seen there = seen_from(v[0], n);
+    const Seen_centre<d> here = seen_from(v[0], c);
+    const Seen_centre<d> there = seen_from(v[0], n);
     const double error = here.error + there.error;
     bool same = true;
     for (std::size_t a = 0; a < d; ++a)
