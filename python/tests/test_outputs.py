@@ -23,10 +23,13 @@ def every_method(d):
     dt = annulus.MovingDelaunay(rng.random((50, d)))
     dt.remove([7])
     periodic = annulus.MovingDelaunay(rng.random((50, d)), box=[1.0] * d)
-    return methods(dt, rng) | {"periodic": (lambda **more: periodic.voronoi_volumes(**more), (50,), None)}
+    g = rng.standard_normal(50)
+    return methods(dt, rng) | {"periodic": (lambda **more: periodic.voronoi_volumes(**more), (50,), None),
+                               "periodic vjp": (lambda **more: periodic.voronoi_vjp(g, **more), (50, d), g)}
 
 
-CALLS = [(d, name) for d in (2, 3) for name in ("volumes", "clipped", "vjp", "interpolate", "periodic")]
+CALLS = [(d, name) for d in (2, 3) for name in ("volumes", "clipped", "vjp", "interpolate", "periodic",
+                                           "periodic vjp")]
 
 
 @pytest.mark.parametrize("d, name", CALLS)
@@ -78,9 +81,11 @@ def test_what_is_refused(d, name):
         over = whole[argument.size - 1:-1].reshape(shape)
         whole[:argument.size] = argument.ravel()
         moved = whole[:argument.size].reshape(argument.shape)
-        dt = annulus.MovingDelaunay(np.random.default_rng(1).random((50, d)))
+        x = np.random.default_rng(1).random((50, d))
+        dt, periodic = annulus.MovingDelaunay(x), annulus.MovingDelaunay(x, box=[1.0] * d)
         again = {"clipped": lambda out: dt.voronoi_volumes(moved, out=out),
                  "vjp": lambda out: dt.voronoi_vjp(moved, out=out),
+                 "periodic vjp": lambda out: periodic.voronoi_vjp(moved, out=out),
                  "interpolate": lambda out: dt.interpolate(moved, np.full((3, 4, d), 0.5), out=out)}[name]
         with pytest.raises(annulus.Error, match="overlap") as caught:
             again(over)

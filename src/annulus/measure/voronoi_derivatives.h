@@ -10,8 +10,8 @@
 #include <numeric>
 #include <vector>
 
-// Derivatives of Voronoi volumes from facets: Voronoi_facets or Periodic_facets. Both have for_each(visit), where facets
-// are bounded and empty or not, and exponent(), that of the unit of most facets.
+// Derivatives of Voronoi volumes from facets, which are Voronoi_facets or Periodic_facets: for_each(visit) visits each
+// once, and exponent() is that of the unit of most.
 namespace annulus::inline v1 {
 
 /// Visits the facets that contribute, with A / |x_i - x_j| times (c - x_i) and (c - x_j), where c is the centroid of
