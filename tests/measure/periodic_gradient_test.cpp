@@ -9,10 +9,10 @@
 #include <support/periodic_boxes.h>
 #include <support/repeats.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <vector>
 
 using namespace annulus;
@@ -160,9 +160,9 @@ TEST_CASE("A point alone in a periodic box has no derivative", "[measure][period
     CHECK(one.voronoi_jacobian().begin == std::vector<Index>{0, 1});
     CHECK(one.voronoi_jacobian().index == std::vector<Index>{0});
     CHECK(one.voronoi_jacobian().value == Points<3>{{0, 0, 0}});
-    const Periodic_mesh<2> none(Points<2>{}, Box<2>::orthorhombic({1, 1}));
-    CHECK(none.voronoi_gradient({}).empty());
-    CHECK(none.voronoi_jacobian().begin == std::vector<Index>{0});
+    const Periodic_mesh<2> empty(Points<2>{}, Box<2>::orthorhombic({1, 1}));
+    CHECK(empty.voronoi_gradient({}).empty());
+    CHECK(empty.voronoi_jacobian().begin == std::vector<Index>{0});
     for (const std::size_t n : {0U, 2U}) {
         try {
             (void)one.voronoi_gradient(std::vector<double>(n));
