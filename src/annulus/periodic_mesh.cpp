@@ -13,6 +13,7 @@
 #include <annulus/measure/periodic_voronoi.h>
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -46,15 +47,25 @@ struct Periodic_mesh<d>::Parts {
     }
 
     template <class... Of>
-    Periodic_state<d> placed(std::size_t points, const Of&... of) {
+    Periodic_state<d> placed(std::size_t points, Of&&... of) {
         require_sound_environment();
         if (options.threads < 1) throw Error(Error_code::usage, "threads must be 1 or more");
         if (points > Limits::vertices)
             throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " points");
-        return Periodic_state<d>(of...);
+        return Periodic_state<d>(std::forward<Of>(of)...);
     }
     void build(Periodic_state<d>& at) { builder.build(at.lattice, at.place, options.threads, at.table); }
 
+    /// The same box is of the same bits.
+    [[nodiscard]] Periodic_state<d> moved(std::span<const Point> points, const typename Box<d>::Vectors& box) {
+        const std::size_t n = state.place.size();
+        if (points.size() != n)
+            throw Error(Error_code::wrong_size,
+                        std::to_string(points.size()) + " positions for " + std::to_string(n) + " vertices");
+        if (std::memcmp(&box, &state.lattice.given(), sizeof box) != 0)
+            return placed(n, points, Box<d>(box), state.free);
+        return placed(n, points, state, std::move(spare));
+    }
     Move_result move(Periodic_state<d> next) {
         // What a build costs, a copy of a point, in the unit of cost_model.h; and a little, for few points. Flips of
         // cells with offsets take two to four times what that model says, so it is less than for builds without.
@@ -68,6 +79,7 @@ struct Periodic_mesh<d>::Parts {
             build(next);
             budget.charge(copy * static_cast<double>(builder.copies()));
         }
+        std::swap<Placed_points<d>>(spare, state);
         state = std::move(next);
         Move_result result;
         result.moves.asked = n;
@@ -99,6 +111,7 @@ struct Periodic_mesh<d>::Parts {
     Periodic_repair<d> repair;
     Periodic_editor<d> editor{builder, options.threads};
     Periodic_state<d> state;
+    Placed_points<d> spare;       // of the state before, for its memory
     Periodic_changes<d> changes;  // of the last call
 };
 
@@ -117,14 +130,12 @@ Periodic_mesh<d>& Periodic_mesh<d>::operator=(Periodic_mesh&&) noexcept = defaul
 
 template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points) {
-    return move_all(points, Box<d>(parts_->state.lattice.given()));
+    Periodic_state<d> next = parts_->moved(points, parts_->state.lattice.given());
+    return parts_->changing([&] { return parts_->move(std::move(next)); });
 }
 template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
-    if (points.size() != index_bound())
-        throw Error(Error_code::wrong_size,
-                    std::to_string(points.size()) + " positions for " + std::to_string(index_bound()) + " vertices");
-    Periodic_state<d> next = parts_->placed(points.size(), points, box, parts_->state.free);
+    Periodic_state<d> next = parts_->moved(points, box.vectors());
     return parts_->changing([&] { return parts_->move(std::move(next)); });
 }
 template <int d>

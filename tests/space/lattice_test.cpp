@@ -109,6 +109,65 @@ void look_at_lattices(std::uint64_t seed) {
     }
 }
 
+/// Many points at once are represented as each is by itself, bit for bit.
+template <int d>
+void expect_represented(const Lattice<d>& lattice, const std::vector<Coordinates<d>>& x) {
+    std::vector<Coordinates<d>> place, given;
+    std::vector<Shift<d>> image(3);
+    lattice.represent(x, place, image, given);
+    REQUIRE((place.size() == x.size() && image.size() == x.size() && given.size() == x.size()));
+    const auto same = [](const Coordinates<d>& a, const Coordinates<d>& b) {
+        bool is = true;
+        for (std::size_t i = 0; i < d; ++i) is = is && a[i] == b[i] && std::signbit(a[i]) == std::signbit(b[i]);
+        return is;
+    };
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        CAPTURE(v, x[v][0], x[v][1], x[v][d - 1]);
+        const Representative<d> r = lattice.representative(x[v], 0);
+        CHECK(same(place[v], r.place));
+        CHECK(image[v] == r.image);
+        CHECK(same(given[v], lattice.imaged(r)));
+    }
+}
+
+/// Points of all parts of the box and around it, and at borders of boxes and of roundings.
+template <int d>
+std::vector<Coordinates<d>> points_to_represent(Periodic_cases& cases, const Lattice<d>& lattice, double far) {
+    std::vector<Coordinates<d>> x;
+    const std::size_t n = 16 * (1 + cases.below(6)) + cases.below(16);
+    for (std::size_t k = 0; k < n; ++k) {
+        Coordinates<d> p = cases.point<d>(Box<d>(lattice.given()), far);
+        if (far == 0.5)
+            for (std::size_t i = 0; i < d; ++i) p[i] += 0.5 * (lattice.given()[0][i] + lattice.given()[1][i]);
+        for (std::size_t i = 0; i < d; ++i) {
+            const double g = lattice.grid()[i];
+            const std::size_t how = cases.below(24);
+            if (how == 0) p[i] = (std::floor(p[i] / g) + 0.5) * g;
+            if (how == 1) p[i] = std::floor(p[i] / g) * g;
+            if (how == 2) p[i] = std::floor(p[i] / lattice.box()[i][i]) * lattice.box()[i][i];
+            if (how == 3) p[i] = cases.below(2) == 0 ? -0.0 : -1e-300;
+            if (how == 4) p[i] = std::nextafter((std::floor(p[i] / g) + 0.5) * g, 0.0);
+        }
+        x.push_back(p);
+    }
+    return x;
+}
+
+template <int d>
+void represent_everywhere(std::uint64_t seed) {
+    Periodic_cases cases(seed);
+    for (int kind = 0; kind < Periodic_cases::kinds; ++kind)
+        for (const double scale : {1.0, 3.615, 0x1p-140})
+            for (const double far : {0.5, 1.5, 3.0, 8.0, 1e3, 1e7}) {
+                CAPTURE(d, seed, kind, scale, far);
+                auto vectors = cases.box<d>(kind).vectors();
+                for (auto& v : vectors)
+                    for (double& c : v) c *= scale;
+                const Lattice<d> lattice(vectors);
+                expect_represented<d>(lattice, points_to_represent<d>(cases, lattice, far));
+            }
+}
+
 }  // namespace
 
 TEST_CASE("Packed offsets are the integers they are made of, and add up as these do", "[space][periodic]") {
@@ -167,4 +226,30 @@ TEST_CASE("Boxes without volume, with bad numbers, too skewed or too large are r
         CHECK(e.code() == Error_code::not_finite);
         CHECK((e.vertices().size() == 1 && e.vertices()[0] == 7));
     }
+}
+
+TEST_CASE("Many points are represented as each is by itself, bit for bit", "[space][periodic]") {
+    for (int k = 0; k < repeats(4); ++k) {
+        represent_everywhere<2>(static_cast<std::uint64_t>(k));
+        represent_everywhere<3>(static_cast<std::uint64_t>(k));
+    }
+}
+
+TEST_CASE("Of many points the first that has no representative is named", "[space][periodic]") {
+    const Lattice<3> lattice(Box<3>::orthorhombic({1, 2, 3}).vectors());
+    for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300})
+        for (const std::size_t v : {0U, 17U, 63U, 70U}) {
+            std::vector<Coordinates<3>> x(75, {0.5, 0.25, 0.125}), place, given;
+            std::vector<Shift<3>> image;
+            x[v][v % 3] = wrong;
+            x[74][1] = wrong;
+            try {
+                lattice.represent(x, place, image, given);
+                CHECK(false);
+            } catch (const Error& e) {
+                CHECK(e.code() == (wrong == 1e300 ? Error_code::out_of_domain : Error_code::not_finite));
+                REQUIRE(e.vertices().size() == 1);
+                CHECK(e.vertices()[0] == static_cast<std::int64_t>(v));
+            }
+        }
 }

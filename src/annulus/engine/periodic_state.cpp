@@ -49,40 +49,51 @@ template <int d>
 Periodic_state<d>::Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box,
                                   std::span<const Index> free_indices)
     : lattice(box.vectors()), rounded_box(lattice.box()), free(free_indices.begin(), free_indices.end()) {
-    const std::vector<char> is_free = marked(free, points.size());
-    given.reserve(points.size());
-    place.reserve(points.size());
-    image.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (is_free[i] != 0) {
-            place.push_back(no_place<d>());
-            image.push_back({});
-            given.push_back(no_place<d>());
-            continue;
-        }
-        const Representative<d> r = lattice.representative(points[i], static_cast<std::int64_t>(i));
-        place.push_back(r.place);
-        image.push_back(r.image);
-        given.push_back(lattice.imaged(r));
+    static_cast<void>(marked(free, points.size()));
+    represent(points);
+}
+
+template <int d>
+Periodic_state<d>::Periodic_state(std::span<const Coordinates<d>> points, const Periodic_state& now,
+                                  Placed_points<d> memory)
+    : Placed_points<d>(std::move(memory)), lattice(now.lattice), rounded_box(now.rounded_box), free(now.free) {
+    represent(points);
+}
+
+/// Points at free indices are not read.
+template <int d>
+void Periodic_state<d>::represent(std::span<const Coordinates<d>> points) {
+    if (free.empty()) {
+        lattice.represent(points, place, image, given);
+        return;
     }
+    std::vector<Coordinates<d>> vertices(points.begin(), points.end());
+    for (const Index i : free) vertices[static_cast<std::size_t>(i)] = {};
+    lattice.represent(vertices, place, image, given);
+    for (const Index i : free) clear(i);
+}
+
+template <int d>
+void Periodic_state<d>::clear(Index i) noexcept {
+    const auto k = static_cast<std::size_t>(i);
+    given[k] = place[k] = no_place<d>();
+    image[k] = {};
 }
 
 template <int d>
 Periodic_state<d>::Periodic_state(const typename Box<d>::Vectors& vectors, std::vector<Coordinates<d>> places,
                                   std::vector<Shift<d>> images, std::vector<Index> free_indices)
-    : lattice(vectors),
+    : Placed_points<d>{{}, std::move(places), std::move(images)},
+      lattice(vectors),
       rounded_box(lattice.box()),
-      place(std::move(places)),
-      image(std::move(images)),
       free(std::move(free_indices)) {
     if (image.size() != place.size()) throw Error(Error_code::bad_input, "not every saved place has an image");
     const std::vector<char> is_free = marked(free, place.size());
     given.reserve(place.size());
     for (std::size_t i = 0; i < place.size(); ++i) {
         if (is_free[i] != 0) {
-            place[i] = no_place<d>();
-            image[i] = {};
-            given.push_back(no_place<d>());
+            given.emplace_back();
+            clear(static_cast<Index>(i));
             continue;
         }
         const Representative<d> r{place[i], image[i]};
@@ -143,9 +154,7 @@ void Periodic_state<d>::put(const Representative<d>& r) noexcept {
 
 template <int d>
 void Periodic_state<d>::take_out(Index i) noexcept {
-    const auto k = static_cast<std::size_t>(i);
-    given[k] = place[k] = no_place<d>();
-    image[k] = {};
+    clear(i);
     free.push_back(i);
 }
 

@@ -13,12 +13,23 @@
 
 namespace annulus::inline v1 {
 
-/// A triangulation in a periodic box and what it is of, by the caller's indices. At free indices places are NaN, and
-/// images 0.
+/// Points of a periodic box, by number. At free indices given and place are NaN, and images 0.
 template <int d>
-struct Periodic_state {
+struct Placed_points {
+    std::vector<Coordinates<d>> given;
+    std::vector<Coordinates<d>> place;
+    std::vector<Shift<d>> image;
+};
+
+/// A triangulation in a periodic box and what it is of, by the caller's indices.
+template <int d>
+struct Periodic_state : Placed_points<d> {
+    using Placed_points<d>::given, Placed_points<d>::place, Placed_points<d>::image;
+
     /// Points at free indices are not read. Throws what Lattice::representative throws. The table is empty.
     Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box, std::span<const Index> free_indices = {});
+    /// In the box of `now`, with its free indices, in memory that has been used before. Throws what the first one does.
+    Periodic_state(std::span<const Coordinates<d>> points, const Periodic_state& now, Placed_points<d> memory);
     /// What was saved (Saved_periodic_mesh). Throws bad_input, and what Box throws.
     Periodic_state(const typename Box<d>::Vectors& vectors, std::vector<Coordinates<d>> places,
                    std::vector<Shift<d>> images, std::vector<Index> free_indices);
@@ -52,11 +63,12 @@ struct Periodic_state {
 
     Lattice<d> lattice;
     Box<d> rounded_box;
-    std::vector<Coordinates<d>> given;
-    std::vector<Coordinates<d>> place;
-    std::vector<Shift<d>> image;
     std::vector<Index> free;  // the next one to be used last
     Periodic_table<d> table;
+
+  private:
+    void represent(std::span<const Coordinates<d>> points);
+    void clear(Index i) noexcept;
 };
 
 extern template struct Periodic_state<2>;

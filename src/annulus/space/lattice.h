@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -71,6 +73,10 @@ class Lattice {
     [[nodiscard]] bool is_representative(const Representative<d>& r) const;
     /// The double nearest to place + image . box, coordinate by coordinate: exactly that up to eight boxes away.
     [[nodiscard]] Coordinates<d> imaged(const Representative<d>& r) const;
+    /// representative() of many points, of which the error names the number, and imaged() of these: bit for bit the
+    /// same, in a tenth of the time. The lists get the size of `points`. O(their number).
+    void represent(std::span<const Coordinates<d>> points, std::vector<Coordinates<d>>& place,
+                   std::vector<Shift<d>>& image, std::vector<Coordinates<d>>& given) const;
 
   private:
     [[noreturn]] static void throw_thin();
