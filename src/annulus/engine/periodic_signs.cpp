@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_signs.h>
 
+#include <annulus/engine/clear_cells.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
 #include <annulus/predicate/exact_sign.h>
@@ -105,7 +106,12 @@ template <int d>
 void Periodic_signs<d>::test_all_cells(Cospherical& cospherical) {
     cospherical.assign(table_->size(), {});
     budget_->charge(static_cast<double>(table_->size()));
-    for (std::size_t c = 0; c < table_->size(); ++c) test_cell(c, &cospherical);
+    if (!has_fast_clear_cells()) {
+        for (std::size_t c = 0; c < table_->size(); ++c) test_cell(c, &cospherical);
+        return;
+    }
+    clear_.find(*table_, *lattice_, x_);
+    for (const std::size_t c : clear_.rest()) test_cell(c, &cospherical);
 }
 
 template class Periodic_signs<2>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/engine/budget.h>
+#include <annulus/engine/clear_periodic_cells.h>
 #include <annulus/engine/cost_model.h>
 #include <annulus/mesh/periodic_table.h>
 #include <annulus/space/lattice.h>
@@ -77,6 +78,7 @@ class Periodic_signs {
     Budget* budget_ = nullptr;
     std::vector<std::size_t> inverted_;
     std::vector<Corner_index> violated_;
+    Clear_periodic_cells<d> clear_;
 };
 
 extern template class Periodic_signs<2>;

@@ -19,7 +19,7 @@ struct Euclidean {
     /// p - q for two places: certificates, kernel, engine and statistics take differences from here. A place is any
     /// type whose [c] gives a coordinate, of any type that `minus` accepts: doubles, lanes of them, integers. Three
     /// kinds of differences are computed elsewhere: how far one vertex moved; those of the audit, which shares no code
-    /// with what it checks; and those of cached_spheres.cpp and clear_cells.cpp, in lanes of AVX2.
+    /// with what it checks; and those of cached_spheres.cpp and four_cells.h, in lanes of AVX2.
     template <class P, class Minus = std::minus<>>
     [[nodiscard]] static constexpr auto difference(const P& p, const P& q, Minus minus = {}) {
         using T = std::decay_t<decltype(minus(p[0], q[0]))>;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <annulus/engine/clear_periodic_cells.h>
+
+#include <annulus/engine/four_cells.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+/// L o for the offsets o from -1 to 2 along each basis vector, which are those of nearly all sites.
+template <int d>
+class Near_shifts {
+  public:
+    explicit Near_shifts(const Lattice<d>& lattice) {
+        for (std::size_t k = 0; k < shift_.size(); ++k) {
+            Shift<d> o{};
+            for (std::size_t j = 0; j < d; ++j) o[j] = static_cast<std::int32_t>((k >> (2 * j)) & 3U) - 1;
+            shift_[k] = lattice.place({}, Offset<d>(o));
+        }
+    }
+    [[nodiscard]] const Coordinates<d>* data() const { return shift_.data(); }
+    /// The number of an offset; negative where it is none of these.
+    [[nodiscard]] static Index number(Offset<d> o) {
+        constexpr std::uint32_t ones = d == 2 ? 0x401U : 0x100401U;
+        const std::uint32_t from_least = static_cast<std::uint32_t>(o.packed()) + ones;
+        if ((from_least & ~(3 * ones)) != 0) return -1;
+        return static_cast<Index>((from_least & 3U) | (from_least >> 8U & 12U) | (from_least >> 16U & 48U));
+    }
+
+  private:
+    std::array<Coordinates<d>, std::size_t{1} << (2 * d)> shift_;
+};
+
+/// Where the cells of a table are in memory, in registers while they are tested.
+template <int d>
+struct Cells_in_memory {
+    explicit Cells_in_memory(const Periodic_table<d>& t) : vertex(t.vertex.data()), twin(t.twin.data()) {}
+    [[nodiscard]] Index opposite(std::size_t c, std::size_t k) const {
+        const Corner_index h = twin[c][k];
+        return vertex[Periodic_table<d>::cell_of(h)][Periodic_table<d>::slot_of(h)];
+    }
+    const std::array<Index, static_cast<std::size_t>(d + 1)>* vertex;
+    const std::array<Corner_index, static_cast<std::size_t>(d + 1)>* twin;
+};
+
+/// Four cells without offsets, whose neighbours have none either.
+template <int d>
+struct Plain_cells {
+    void set(const Cells_in_memory<d>& t, std::size_t i, std::size_t c) {
+        cell[i] = c;
+        for (std::size_t k = 0; k <= d; ++k) {
+            vertex[k][i] = t.vertex[c][k];
+            opposite[k][i] = t.opposite(c, k);
+        }
+    }
+    ANNULUS_INLINE four_cells::Vector<d> corner(std::size_t k) const { return four_cells::read<d>(x, vertex[k]); }
+    ANNULUS_INLINE four_cells::Vector<d> beyond(std::size_t k) const { return four_cells::read<d>(x, opposite[k]); }
+
+    const Coordinates<d>* x;
+    std::array<std::size_t, 4> cell{};
+    std::array<std::array<Index, 4>, static_cast<std::size_t>(d + 1)> vertex{}, opposite{};
+};
+
+/// Four cells with any offsets for which there are near shifts. Sums of places and shifts are not rounded (Lattice).
+template <int d>
+struct Lifted_cells {
+    /// False where an offset is none of the near ones.
+    [[nodiscard]] bool set(const Periodic_table<d>& t, std::size_t i, std::size_t c) {
+        plain.set(Cells_in_memory<d>(t), i, c);
+        Index all = 0;
+        for (std::size_t k = 0; k <= d; ++k) {
+            const Corner_index h = t.twin[c][k];
+            shift[k][i] = Near_shifts<d>::number(t.offset[c][k]);
+            opposite_shift[k][i] = Near_shifts<d>::number(t.offset[t.cell_of(h)][t.slot_of(h)] + t.translation(c, k));
+            all |= shift[k][i] | opposite_shift[k][i];
+        }
+        return all >= 0;
+    }
+    ANNULUS_INLINE four_cells::Vector<d> corner(std::size_t k) const {
+        return four_cells::sum(plain.corner(k), four_cells::read<d>(shifts, shift[k]));
+    }
+    ANNULUS_INLINE four_cells::Vector<d> beyond(std::size_t k) const {
+        return four_cells::sum(plain.beyond(k), four_cells::read<d>(shifts, opposite_shift[k]));
+    }
+
+    Plain_cells<d> plain;
+    const Coordinates<d>* shifts;
+    std::array<std::array<Index, 4>, static_cast<std::size_t>(d + 1)> shift{}, opposite_shift{};
+};
+
+/// By cell: whether an offset of it or of a neighbour is not 0. In the normal form all images of the bi-cells of the
+/// others are representatives.
+template <int d>
+void find_lifted(const Periodic_table<d>& table, std::vector<std::uint8_t>& lifted) {
+    lifted.assign(table.size(), 0);
+    const auto* const offset = table.offset.data();
+    for (std::size_t c = 0, size = table.size(); c < size; ++c) {
+        std::int32_t any = 0;
+        for (std::size_t k = 0; k <= d; ++k) any |= offset[c][k].packed();
+        if (any == 0) continue;
+        lifted[c] = 1;
+        for (const Corner_index h : table.twin[c]) lifted[table.cell_of(h)] = 1;
+    }
+}
+
+template <int d, class Cells>
+ANNULUS_INLINE void test_four(const Cells& cells, const std::array<std::size_t, 4>& cell,
+                              std::vector<std::size_t>& rest) {
+    const auto clear = four_cells::are_clear<d>(cells);
+    for (std::size_t i = 0; i < 4; ++i)
+        if (clear[i] == 0) rest.push_back(cell[i]);
+}
+
+template <int d>
+ANNULUS_AVX2 void find_unclear(const Periodic_table<d>& table, const std::uint8_t* lifted, const Near_shifts<d>& shifts,
+                               const Coordinates<d>* x, std::vector<std::size_t>& rest) {
+    constexpr std::size_t ahead = 16;
+    const Cells_in_memory<d> t(table);
+    Plain_cells<d> plain{x};
+    Lifted_cells<d> far{{x}, shifts.data()};
+    std::size_t plain_size = 0, far_size = 0;
+    for (std::size_t c = 0, size = table.size(); c < size; ++c) {
+        // The positions of a cell's neighbours are three dependent loads away.
+        if (d == 3 && c + 2 * ahead < size)
+            for (const Corner_index h : t.twin[c + 2 * ahead]) __builtin_prefetch(&t.vertex[table.cell_of(h)]);
+        if (c + ahead < size) {
+            for (std::size_t k = 0; k <= d; ++k)
+                __builtin_prefetch(&x[static_cast<std::size_t>(t.opposite(c + ahead, k))]);
+            if (lifted[c + ahead] != 0)
+                for (const Corner_index h : t.twin[c + ahead]) __builtin_prefetch(&table.offset[table.cell_of(h)]);
+        }
+        if (lifted[c] == 0) {
+            plain.set(t, plain_size, c);
+            if (++plain_size < 4) continue;
+            plain_size = 0;
+            test_four<d>(plain, plain.cell, rest);
+        } else if (!far.set(table, far_size, c)) rest.push_back(c);
+        else if (++far_size == 4) {
+            far_size = 0;
+            test_four<d>(far, far.plain.cell, rest);
+        }
+    }
+    rest.insert(rest.end(), plain.cell.begin(), plain.cell.begin() + static_cast<std::ptrdiff_t>(plain_size));
+    rest.insert(rest.end(), far.plain.cell.begin(), far.plain.cell.begin() + static_cast<std::ptrdiff_t>(far_size));
+    std::sort(rest.begin(), rest.end());
+}
+
+}  // namespace
+
+template <int d>
+void Clear_periodic_cells<d>::find(const Periodic_table<d>& table, const Lattice<d>& lattice,
+                                   std::span<const Coordinates<d>> x) {
+    rest_.clear();
+    find_lifted(table, lifted_);
+    find_unclear(table, lifted_.data(), Near_shifts<d>(lattice), x.data(), rest_);
+}
+
+template class Clear_periodic_cells<2>;
+template class Clear_periodic_cells<3>;
+
+}  // namespace annulus::inline v1
