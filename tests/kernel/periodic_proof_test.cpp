@@ -7,8 +7,12 @@
 #include <support/catch.h>
 #include <support/periodic_boxes.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
+#include <vector>
 
 using namespace annulus;
 using namespace annulus::testing;
@@ -22,6 +26,24 @@ struct Built {
         Periodic_builder<d>().build(lattice, place, 1, table);
     }
     [[nodiscard]] bool is_proved(Periodic_table<d> t) const { return is_proved_delaunay<d>(t, lattice, place); }
+    /// After changes of everything or of a cell and its neighbours.
+    [[nodiscard]] bool is_still_proved(Periodic_table<d> t) const {
+        Periodic_journal<d> journal;
+        journal.begin(table);
+        for (std::size_t c = 0; c < table.size(); ++c) journal.keep(table, c);
+        return is_still_proved(std::move(t), journal);
+    }
+    [[nodiscard]] bool is_still_proved(Periodic_table<d> t, std::size_t changed) const {
+        Periodic_journal<d> journal;
+        journal.begin(table);
+        journal.keep_around(table, changed);
+        return is_still_proved(std::move(t), journal);
+    }
+    [[nodiscard]] bool is_still_proved(Periodic_table<d> t, const Periodic_journal<d>& journal,
+                                       std::span<const std::size_t> unfinished = {}) const {
+        t.cospherical.resize(t.size());
+        return is_still_proved_delaunay<d>(t, lattice, place, {journal, place, unfinished});
+    }
 
     Lattice<d> lattice;
     std::vector<Coordinates<d>> place;
@@ -35,12 +57,16 @@ void expect_only_right_ones_pass(std::size_t n, int kind) {
     const Box<d> box = cases.box<d>(kind);
     Built<d> built(box, cases.points<d>(box, n));
     CHECK(built.is_proved(built.table));
+    CHECK(built.is_still_proved(built.table));
     Shift<d> unit{};
     unit[0] = 1;
+    const auto refused = [&](const Periodic_table<d>& wrong, std::size_t c) {
+        return !built.is_proved(wrong) && !built.is_still_proved(wrong) && !built.is_still_proved(wrong, c);
+    };
     for (std::size_t c = 0; c < built.table.size(); c += 1 + built.table.size() / 7) {
         auto wrong = built.table;
         wrong.offset[c][1] = wrong.offset[c][1] + Offset<d>(unit);
-        CHECK(!built.is_proved(wrong));
+        CHECK(refused(wrong, c));
         wrong = built.table;  // inverted, and glued as before
         std::swap(wrong.vertex[c][0], wrong.vertex[c][1]);
         std::swap(wrong.offset[c][0], wrong.offset[c][1]);
@@ -49,13 +75,17 @@ void expect_only_right_ones_pass(std::size_t n, int kind) {
             const Corner_index t = wrong.twin[c][i];
             wrong.twin[wrong.cell_of(t)][wrong.slot_of(t)] = wrong.corner(c, i);
         }
-        CHECK(!built.is_proved(wrong));
+        CHECK(refused(wrong, c));
         wrong = built.table;
         std::swap(wrong.twin[c][0], wrong.twin[c][1]);
-        CHECK(!built.is_proved(wrong));
+        CHECK(refused(wrong, c));
         wrong = built.table;
         wrong.twin[c][0] = no_corner;
-        CHECK(!built.is_proved(wrong));
+        CHECK(refused(wrong, c));
+        wrong = built.table;  // a neighbour is glued to nothing
+        const Corner_index t = wrong.twin[c][0];
+        wrong.twin[wrong.cell_of(t)][wrong.slot_of(t)] = no_corner;
+        CHECK(refused(wrong, c));
     }
     built.place.push_back(built.place[0]);  // a vertex in no cell
     CHECK(!built.is_proved(built.table));
@@ -92,8 +122,59 @@ TEST_CASE("Positive, glued, locally Delaunay cells that cover the torus twice ar
     // The edges 0 1, 1 2 and 2 0 of the first are (2, 0), (-2, 1) and (0, -1).
     const auto twice = two_triangles({{{{{0, 0}, {2, 0}, {0, 1}}}, {{{2, 0}, {2, 1}, {0, 1}}}}}, {1, 2, 0});
     CHECK(!built.is_proved(twice));
+    CHECK(!built.is_still_proved(twice));
     const auto once = two_triangles({{{{{0, 0}, {1, 0}, {0, 1}}}, {{{1, 0}, {1, 1}, {0, 1}}}}}, {1, 2, 0});
     CHECK(built.is_proved(once));
+    CHECK(built.is_still_proved(once));
+}
+
+TEST_CASE("A changed table is not proved where a cell is gone that others are glued to", "[kernel][periodic]") {
+    Periodic_cases cases(7);
+    const Box<2> box = cases.box<2>(4);
+    const Built<2> built(box, cases.points<2>(box, 40));
+    Periodic_table<2> table = built.table;
+    const std::size_t last = table.size() - 1;
+    Periodic_journal<2> journal;
+    journal.begin(table);
+    journal.keep_around(table, last);
+    // Cells that are not beside it, and have its corners, are moved by a vector of the box.
+    std::vector<std::size_t> near{last};
+    for (const Corner_index t : table.twin[last]) near.push_back(table.cell_of(t));
+    std::vector<std::size_t> far;
+    for (const Index v : table.vertex[last])
+        for (std::size_t c = 0; c < last; ++c) {
+            const auto& corners = table.vertex[c];
+            if (std::find(corners.begin(), corners.end(), v) == corners.end()) continue;
+            if (std::find(near.begin(), near.end(), c) == near.end()) far.push_back(c);
+        }
+    std::sort(far.begin(), far.end());
+    far.erase(std::unique(far.begin(), far.end()), far.end());
+    for (const std::size_t c : far) {
+        journal.keep(table, c);
+        for (Offset<2>& o : table.offset[c]) o = o + Offset<2>({1, 0});
+    }
+    CHECK(built.is_still_proved(table, journal));
+    table.vertex.pop_back();
+    table.offset.pop_back();
+    table.twin.pop_back();
+    CHECK(!built.is_still_proved(table, journal));
+}
+
+TEST_CASE("A changed table is not proved where a vertex has lost its cells, or an unfinished facet is violated",
+          "[kernel][periodic]") {
+    const Box<2> square = Box<2>::orthorhombic({1, 1});
+    const Built<2> two(square, {{0, 0}, {0.5, 0.25}}), one(square, {{0, 0}});
+    CHECK(two.table.size() == 4);
+    CHECK(!two.is_still_proved(one.table));
+    Periodic_cases cases(6);
+    Built<2> built(square, cases.points<2>(square, 30));
+    Periodic_journal<2> nothing;
+    nothing.begin(built.table);
+    for (auto& p : built.place) p = built.lattice.representative({0.9 * p[0] + 0.08 * p[1] * p[1], p[1]}, 0).place;
+    std::vector<std::size_t> all(built.table.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    CHECK(!built.is_proved(built.table));
+    CHECK(!built.is_still_proved(built.table, nothing, all));
 }
 
 TEST_CASE("A table is not proved where a vertex has moved through a facet, and two cells on one side are none",

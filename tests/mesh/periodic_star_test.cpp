@@ -15,6 +15,22 @@ using namespace annulus::testing;
 
 namespace {
 
+/// Gives the cells of a table the numbers c -> size - 1 - c, and lists of corners, too.
+template <int d>
+std::vector<std::vector<Corner_index>> turned_around(Periodic_table<d>& table,
+                                                     std::vector<std::vector<Corner_index>> corners) {
+    const auto turn = [&](Corner_index& h) { h = table.corner(table.size() - 1 - table.cell_of(h), table.slot_of(h)); };
+    std::reverse(table.vertex.begin(), table.vertex.end());
+    std::reverse(table.offset.begin(), table.offset.end());
+    std::reverse(table.twin.begin(), table.twin.end());
+    for (auto& twins : table.twin) std::for_each(twins.begin(), twins.end(), turn);
+    for (auto& list : corners) {
+        std::for_each(list.begin(), list.end(), turn);
+        std::sort(list.begin(), list.end());
+    }
+    return corners;
+}
+
 template <int d>
 void expect_stars(const Lattice<d>& lattice, const std::vector<Coordinates<d>>& place) {
     Periodic_builder<d> builder;
@@ -25,14 +41,18 @@ void expect_stars(const Lattice<d>& lattice, const std::vector<Coordinates<d>>& 
         for (std::size_t i = 0; i <= d; ++i)
             expected[static_cast<std::size_t>(table.vertex[c][i])].push_back(table.corner(c, i));
     Periodic_star<d> star;
-    star.begin(table, place.size());
-    for (int turn = 0; turn < 2; ++turn)
+    star.begin(place.size());
+    for (int turn = 0; turn < 3; ++turn) {
+        if (turn == 1) star.forget();
+        if (turn == 1) star.begin(place.size());
+        if (turn == 2) expected = turned_around(table, expected);
         for (std::size_t v = 0; v < place.size(); ++v) {
             const auto found = star.of(table, static_cast<Index>(v));
             std::vector<Corner_index> sorted(found.begin(), found.end());
             std::sort(sorted.begin(), sorted.end());
             CHECK(sorted == expected[v]);
         }
+    }
 }
 
 template <int d>

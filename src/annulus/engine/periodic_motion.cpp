@@ -29,19 +29,29 @@ Lattice<3>::Matrix inverse(const Lattice<3>::Matrix& m) {
     return w;
 }
 
-/// Adds an offset to each corner, by its vertex, and restores the normal form.
+/// Adds an offset to each corner of a cell, by its vertex, and restores the normal form.
 template <int d>
-bool relabel(Periodic_table<d>& table, const std::vector<Offset<d>>& more) {
-    bool small = true;
-    for (std::size_t c = 0; c < table.size(); ++c) {
-        bool same = true;
-        for (const Index v : table.vertex[c]) same = same && more[static_cast<std::size_t>(v)].is_zero();
-        if (same) continue;
-        for (std::size_t i = 0; i <= d; ++i)
-            table.offset[c][i] = table.offset[c][i] + more[static_cast<std::size_t>(table.vertex[c][i])];
-        small = normalise<d>(table.offset[c]) && small;
+bool relabel(Periodic_table<d>& table, std::size_t c, const std::vector<Offset<d>>& more) {
+    bool same = true;
+    for (const Index v : table.vertex[c]) same = same && more[static_cast<std::size_t>(v)].is_zero();
+    if (same) return true;
+    for (std::size_t i = 0; i <= d; ++i)
+        table.offset[c][i] = table.offset[c][i] + more[static_cast<std::size_t>(table.vertex[c][i])];
+    return normalise<d>(table.offset[c]);
+}
+
+/// A way whose coordinates are at most these in magnitude is by less than half of each basis vector.
+template <int d>
+Coordinates<d> short_way(const Lattice<d>& lattice) {
+    Coordinates<d> most;
+    for (std::size_t i = 0; i < d; ++i) {
+        Coordinates<d> unit{};
+        unit[i] = 1;
+        double largest = 0;
+        for (const double c : lattice.in_basis(unit)) largest = std::max(largest, std::fabs(c));
+        most[i] = 0.49 / (d * largest);
     }
-    return small;
+    return most;
 }
 
 }  // namespace
@@ -65,49 +75,76 @@ bool Periodic_motion<d>::relate(const Lattice<d>& from, const Lattice<d>& to) {
     return true;
 }
 
+/// The affine image, rounded to the grid and brought into the cell of the lattice.
+template <int d>
+void Periodic_motion<d>::find_home(const Periodic_points<d>& from, const Lattice<d>& to) {
+    const std::size_t n = from.place.size();
+    mapped_.resize(n);
+    to_home_.resize(n);
+    const auto& basis = to.basis();
+    const auto& grid = to.grid();
+    for (std::size_t v = 0; v < n; ++v) {
+        if (!is_place<d>(from.place[v])) {  // no vertex
+            mapped_[v] = from.place[v];
+            to_home_[v] = {};
+            continue;
+        }
+        const Coordinates<d> f = from.lattice.in_basis(from.place[v]);
+        Coordinates<d> g{}, out{};
+        for (std::size_t j = 0; j < d; ++j) {
+            for (std::size_t i = 0; i < d; ++i) g[j] += f[i] * static_cast<double>(to_new_basis_[i][j]);
+            if (g[j] < -0.5 || g[j] >= 1.5) out[j] = std::floor(g[j]);
+            g[j] -= out[j];
+        }
+        for (std::size_t i = 0; i < d; ++i) {
+            double x = 0;
+            for (std::size_t j = 0; j < d; ++j) x += g[j] * basis[j][i];
+            mapped_[v][i] = std::nearbyint(x / grid[i]) * grid[i];
+        }
+        to_home_[v] = offset_of<d>(out);
+        wraps_home_ = wraps_home_ || !to_home_[v].is_zero();
+    }
+    home_ = mapped_;
+}
+
+/// The goal is the new place, so far.
+template <int d>
+void Periodic_motion<d>::find_goal(std::size_t v, const Lattice<d>& to) {
+    Coordinates<d> way;
+    for (std::size_t i = 0; i < d; ++i) way[i] = home_[v][i] - goal_[v][i];
+    way = to.in_basis(way);
+    for (double& c : way) c = std::nearbyint(c);
+    const Offset<d> o = offset_of<d>(way);
+    if (o.is_zero()) return;
+    wrapped_.push_back(static_cast<Index>(v));
+    to_goal_[v] = o;
+    goal_[v] = to.place(goal_[v], o);
+}
+
 template <int d>
 bool Periodic_motion<d>::begin(const Periodic_points<d>& from, const Periodic_points<d>& to) {
     if (!relate(from.lattice, to.lattice)) return false;
-    const bool same_lattice = from.lattice.basis() == to.lattice.basis();
     const std::size_t n = from.place.size();
-    home_.resize(n);
+    if (to_goal_.size() != n) to_goal_.assign(n, {});
+    else
+        for (const Index v : wrapped_) to_goal_[static_cast<std::size_t>(v)] = {};
+    wrapped_.clear();
+    wraps_home_ = false;
+    moves_ = from.lattice.basis() != to.lattice.basis();
+    if (moves_) find_home(from, to.lattice);
+    else home_ = from.place;
     goal_.resize(n);
-    to_home_.resize(n);
-    to_goal_.resize(n);
-    wraps_home_ = wraps_goal_ = false;
-    const auto& basis = to.lattice.basis();
-    const auto& grid = to.lattice.grid();
+    const Coordinates<d> most = short_way(to.lattice);
     for (std::size_t v = 0; v < n; ++v) {
-        Coordinates<d>& home = home_[v];
-        if (!is_place<d>(to.place[v])) {  // no vertex
-            home = goal_[v] = to.place[v];
-            to_home_[v] = to_goal_[v] = {};
-            continue;
+        unsigned moves = 0, far = 0;
+        for (std::size_t i = 0; i < d; ++i) {
+            const double way = home_[v][i] - to.place[v][i];  // NaN at free indices, which do not move
+            moves |= std::fabs(way) > 0 ? 1U : 0U;
+            far |= std::fabs(way) > most[i] ? 1U : 0U;
+            goal_[v][i] = to.place[v][i];
         }
-        if (same_lattice) home = from.place[v];
-        else {
-            const Coordinates<d> f = from.lattice.in_basis(from.place[v]);
-            Coordinates<d> g{}, out{};
-            for (std::size_t j = 0; j < d; ++j) {
-                for (std::size_t i = 0; i < d; ++i) g[j] += f[i] * static_cast<double>(to_new_basis_[i][j]);
-                if (g[j] < -0.5 || g[j] >= 1.5) out[j] = std::floor(g[j]);
-                g[j] -= out[j];
-            }
-            for (std::size_t i = 0; i < d; ++i) {
-                double x = 0;
-                for (std::size_t j = 0; j < d; ++j) x += g[j] * basis[j][i];
-                home[i] = std::nearbyint(x / grid[i]) * grid[i];
-            }
-            to_home_[v] = offset_of<d>(out);
-            wraps_home_ = wraps_home_ || !to_home_[v].is_zero();
-        }
-        Coordinates<d> way;
-        for (std::size_t i = 0; i < d; ++i) way[i] = home[i] - to.place[v][i];
-        way = to.lattice.in_basis(way);
-        for (double& c : way) c = std::nearbyint(c);
-        to_goal_[v] = offset_of<d>(way);
-        wraps_goal_ = wraps_goal_ || !to_goal_[v].is_zero();
-        goal_[v] = to.lattice.place(to.place[v], to_goal_[v]);
+        moves_ = moves_ || moves != 0;
+        if (far != 0) find_goal(v, to.lattice);
     }
     return true;
 }
@@ -128,7 +165,11 @@ bool Periodic_motion<d>::transform(Offset<d>& o) const {
 
 template <int d>
 bool Periodic_motion<d>::relabel_home(Periodic_table<d>& table) const {
-    if (!other_basis_) return !wraps_home_ || relabel(table, to_home_);
+    if (!other_basis_) {
+        bool small = true;
+        for (std::size_t c = 0; wraps_home_ && c < table.size(); ++c) small = relabel(table, c, to_home_) && small;
+        return small;
+    }
     for (std::size_t c = 0; c < table.size(); ++c) {
         for (std::size_t i = 0; i <= d; ++i) {
             Offset<d>& o = table.offset[c][i];
@@ -141,8 +182,10 @@ bool Periodic_motion<d>::relabel_home(Periodic_table<d>& table) const {
 }
 
 template <int d>
-bool Periodic_motion<d>::relabel_goal(Periodic_table<d>& table) const {
-    return !wraps_goal_ || relabel(table, to_goal_);
+bool Periodic_motion<d>::relabel_goal(Periodic_table<d>& table, std::span<const std::size_t> cells) const {
+    bool small = true;
+    for (const std::size_t c : cells) small = relabel(table, c, to_goal_) && small;
+    return small;
 }
 
 template class Periodic_motion<2>;

@@ -26,26 +26,33 @@ struct Periodic_points {
 template <int d>
 class Periodic_motion {
   public:
-    /// False where no unimodular matrix relates the lattices, nearly. O(n).
+    /// False where no unimodular matrix relates the lattices, nearly. The old places must outlive the motion. O(n).
     [[nodiscard]] bool begin(const Periodic_points<d>& from, const Periodic_points<d>& to);
+    /// False where the lattices and all places are the same.
+    [[nodiscard]] bool moves() const { return moves_; }
     [[nodiscard]] std::span<const Coordinates<d>> home() const { return home_; }
     [[nodiscard]] std::span<Coordinates<d>> goal() { return goal_; }
-    /// Whether offsets are others at home than at the old places, and at the new places than at the goals.
+    /// Whether offsets are others at home than at the old places.
     [[nodiscard]] bool relabels_home() const { return other_basis_ || wraps_home_; }
-    [[nodiscard]] bool relabels_goal() const { return wraps_goal_; }
-    /// Makes offsets at the old places such for home, or offsets at the goals such for the new places. False where a
-    /// cell is too long for them.
+    /// The vertices whose goals are not their new places: offsets in their cells are others there.
+    [[nodiscard]] std::span<const Index> wrapped() const { return wrapped_; }
+    /// Makes offsets at the old places such for home. False where a cell is too long for them.
     [[nodiscard]] bool relabel_home(Periodic_table<d>& table) const;
-    [[nodiscard]] bool relabel_goal(Periodic_table<d>& table) const;
+    /// Makes offsets of these cells at the goals such for the new places, of each once. False where one is too long.
+    [[nodiscard]] bool relabel_goal(Periodic_table<d>& table, std::span<const std::size_t> cells) const;
 
   private:
     [[nodiscard]] bool relate(const Lattice<d>& from, const Lattice<d>& to);
+    void find_home(const Periodic_points<d>& from, const Lattice<d>& to);
+    void find_goal(std::size_t v, const Lattice<d>& to);
     [[nodiscard]] bool transform(Offset<d>& o) const;
 
-    std::vector<Coordinates<d>> home_, goal_;
+    std::span<const Coordinates<d>> home_;
+    std::vector<Coordinates<d>> mapped_, goal_;   // mapped_: home, where that is not the old places
     std::vector<Offset<d>> to_home_, to_goal_;    // by vertex: what the offsets of its corners grow by
+    std::vector<Index> wrapped_;                  // vertices whose to_goal_ is not 0
     typename Lattice<d>::Matrix to_new_basis_{};  // row j: old basis vector j as a combination of the new ones
-    bool other_basis_ = false, wraps_home_ = false, wraps_goal_ = false;
+    bool other_basis_ = false, wraps_home_ = false, moves_ = false;
 };
 
 extern template class Periodic_motion<2>;

@@ -7,6 +7,7 @@
 #include <annulus/mesh/sort_unique.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -18,45 +19,114 @@ constexpr int most_idle_rounds = 24;  // in each a vertex tries half as much of 
 
 }  // namespace
 
+/// The table is in work_ meanwhile. In the end it is as it was, unless it is kept.
+template <int d>
+class Periodic_repair<d>::Change {
+  public:
+    Change(Periodic_repair& repair, Periodic_table<d>& table) : repair_(repair), table_(table) {
+        repair_.made_.journal.begin(table);
+        std::swap(table_, repair_.work_);
+    }
+    ~Change() {
+        if (!kept_) undo();
+        std::swap(table_, repair_.work_);
+    }
+    Change(const Change&) = delete;
+    Change& operator=(const Change&) = delete;
+    Change(Change&&) = delete;
+    Change& operator=(Change&&) = delete;
+
+    /// For changes that may be of all cells.
+    void keep_everything() { before_ = repair_.work_; }
+    [[nodiscard]] bool may_be_of_everything() const { return before_.has_value(); }
+    /// The table gets the flags of the signs.
+    void take_cospherical() {
+        std::swap(repair_.work_.cospherical, repair_.signs_.cospherical());
+        took_cospherical_ = true;
+    }
+    void keep() { kept_ = true; }
+
+  private:
+    void undo() noexcept {
+        repair_.star_.forget();
+        if (took_cospherical_) std::swap(repair_.work_.cospherical, repair_.signs_.cospherical());
+        if (before_) std::swap(repair_.work_, *before_);
+        else repair_.made_.journal.undo(repair_.work_);
+    }
+
+    Periodic_repair& repair_;
+    Periodic_table<d>& table_;
+    std::optional<Periodic_table<d>> before_;
+    bool took_cospherical_ = false, kept_ = false;
+};
+
 template <int d>
 Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, const Periodic_points<d>& from,
                                                   const Periodic_points<d>& to, Budget& budget) {
     Periodic_repair_result result;
     if (!motion_.begin(from, to)) return result;
+    result.done = !motion_.moves();
+    if (result.done) return result;
     budget_ = &budget;
     made_.flips = 0;
     made_.unused.clear();
-    bool copied = false;
-    const auto copy = [&] {
-        if (!copied) work_ = table;
-        copied = true;
-    };
+    Change change(*this, table);
     if (motion_.relabels_home()) {
-        copy();
+        change.keep_everything();
         if (!motion_.relabel_home(work_)) return result;
     }
-    signs_.begin(copied ? work_ : table, to.lattice, motion_.goal(), budget);
-    auto& cospherical = work_.cospherical;
-    signs_.test_all_cells(cospherical);
+    signs_.begin(work_, to.lattice, motion_.goal(), budget);
+    signs_.test_all_cells();
     const bool calm = signs_.inverted().empty() && signs_.violated().empty();
-    if (calm && !copied && !motion_.relabels_goal()) {
-        std::swap(table.cospherical, cospherical);
-        result.done = true;
-        return result;
-    }
-    const double least = Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) +
-                         Cost_model<d>::violated * static_cast<double>(signs_.violated().size());
-    if (Rebuild_policy<d>::expected(least) > budget.left()) return result;
-    copy();
-    signs_.rebind(work_);
-    if (!calm && !flip_until_done(to.lattice)) return result;
-    close_gaps<d>(work_, made_.unused);
-    if (!motion_.relabel_goal(work_) || !is_proved_delaunay<d>(work_, to.lattice, to.place)) return result;
+    if (!calm || change.may_be_of_everything() || !motion_.wrapped().empty()) {
+        note_doubted();
+        const double least = Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) +
+                             Cost_model<d>::violated * static_cast<double>(signs_.violated().size());
+        if (Rebuild_policy<d>::expected(least) > budget.left()) return result;
+        if (!calm && !flip_until_done(to.lattice)) return result;
+        close_gaps();
+        if (!relabel_goal()) return result;
+        signs_.cospherical().resize(work_.size());
+        change.take_cospherical();
+        const bool proved = change.may_be_of_everything()
+                                ? is_proved_delaunay<d>(work_, to.lattice, to.place)
+                                : is_still_proved_delaunay<d>(work_, to.lattice, to.place,
+                                                              {made_.journal, motion_.goal(), left_.doubted});
+        if (!proved) return result;
+    } else change.take_cospherical();
+    change.keep();
     result.done = true;
     result.flips = made_.flips;
     if (!calm) result.flipped = static_cast<std::size_t>(std::count(made_.flipped.begin(), made_.flipped.end(), 1));
-    std::swap(table, work_);
     return result;
+}
+
+/// Cells of which a certificate does not hold at the goals.
+template <int d>
+void Periodic_repair<d>::note_doubted() {
+    left_.doubted = signs_.inverted();
+    for (const Corner_index h : signs_.violated()) left_.doubted.push_back(Periodic_table<d>::cell_of(h));
+    sort_unique(left_.doubted);
+}
+
+/// Cells with the largest numbers take those of no cell.
+template <int d>
+void Periodic_repair<d>::close_gaps() {
+    for (std::size_t k = 1; k <= made_.unused.size(); ++k)
+        if (const std::size_t c = work_.size() - k; is_cell(c)) made_.journal.keep_around(work_, c);
+    annulus::close_gaps<d>(work_, made_.unused);
+}
+
+/// Offsets at the goals become such for the new places, in the stars of vertices that have left the box.
+template <int d>
+bool Periodic_repair<d>::relabel_goal() {
+    std::vector<std::size_t> cells;
+    star_.begin(motion_.home().size());
+    for (const Index v : motion_.wrapped())
+        for (const Corner_index h : star_.of(work_, v)) cells.push_back(work_.cell_of(h));
+    sort_unique(cells);
+    for (const std::size_t c : cells) made_.journal.keep(work_, c);
+    return motion_.relabel_goal(work_, cells);
 }
 
 template <int d>
@@ -66,6 +136,7 @@ void Periodic_repair<d>::moved(Index v) {
 
 template <int d>
 bool Periodic_repair<d>::replace(std::span<const Lifted_cell<d>> gone, std::span<const Cell_images<d>> came) {
+    for (const Lifted_cell<d>& g : gone) made_.journal.keep_around(work_, g.cell);
     if (!replace_periodic_cells<d>(work_, gone, came, made_.unused, made_.latest)) return false;
     ++made_.flips;
     budget_->charge(Cost_model<d>::flip);
@@ -99,7 +170,7 @@ bool Periodic_repair<d>::hold_back_inverted() {
 template <int d>
 bool Periodic_repair<d>::flip_violated() {
     auto& violated = signs_.violated();
-    auto& [inverted_at_source, stuck, waiting] = left_;
+    auto &stuck = left_.stuck, &waiting = left_.waiting;
     violated.insert(violated.end(), stuck.begin(), stuck.end());
     stuck.clear();
     bool flipped = false;
@@ -130,9 +201,11 @@ bool Periodic_repair<d>::nothing_inverted() {
 
 template <int d>
 bool Periodic_repair<d>::flip_until_done(const Lattice<d>& lattice) {
-    left_ = {};
+    left_.inverted_at_source.clear();
+    left_.stuck.clear();
+    left_.waiting.clear();
     made_.flipped.assign(motion_.home().size(), 0);
-    star_.begin(work_, motion_.home().size());
+    star_.begin(motion_.home().size());
     held_.begin({.x = motion_.goal(), .source = motion_.home(), .mover = none, .grid = lattice.grid()},
                 motion_.home().size());
     struct Back {

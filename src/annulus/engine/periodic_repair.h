@@ -5,6 +5,7 @@
 #include <annulus/engine/held_back.h>
 #include <annulus/engine/periodic_motion.h>
 #include <annulus/engine/periodic_signs.h>
+#include <annulus/mesh/periodic_journal.h>
 #include <annulus/mesh/periodic_star.h>
 #include <annulus/mesh/replace_periodic_cells.h>
 
@@ -26,10 +27,11 @@ struct Periodic_repair_result {
 ///
 ///     all signs at the goals  -- all hold -->  the table is right as it is
 ///           |
-///     hold back, flip, advance  -- lists are empty -->  proved (is_proved_delaunay), or it does not count
+///     hold back, flip, advance  -- lists are empty -->  proved (is_still_proved_delaunay), or it does not count
 ///
 /// There is no border, so that half way is never outside. What is stuck, and what would cost more than the budget, is
-/// left to the caller, which rebuilds: nothing is rebuilt locally. Flips are made in a copy of the table.
+/// left to the caller, which rebuilds: nothing is rebuilt locally. Flips are made in the table itself; a journal undoes
+/// them, and says what there is to prove.
 template <int d>
 class Periodic_repair {
   public:
@@ -39,19 +41,25 @@ class Periodic_repair {
                                   const Periodic_points<d>& to, Budget& budget);
 
   private:
+    class Change;
     /// Cells with failures that are not on the lists of signs.
     struct Left {
         std::vector<std::size_t> inverted_at_source;
         std::vector<Corner_index> stuck, waiting;  // facets that no flip repairs, at present
+        std::vector<std::size_t> doubted;          // what was inverted or violated at the goals, before all flips
     };
     /// What flips have made.
     struct Made {
+        Periodic_journal<d> journal;  // of it and of what changed offsets
         std::uint64_t flips = 0;
         std::vector<std::uint8_t> flipped;        // by vertex: whether it is in a cell that a flip made
         std::vector<std::size_t> unused, latest;  // numbers of no cell, and the cells of the latest flip
     };
 
     [[nodiscard]] bool is_cell(std::size_t c) const { return work_.vertex[c][0] != none; }
+    void note_doubted();
+    void close_gaps();
+    [[nodiscard]] bool relabel_goal();
     [[nodiscard]] bool flip_until_done(const Lattice<d>& lattice);
     [[nodiscard]] bool hold_back_inverted();
     [[nodiscard]] bool flip_violated();
@@ -65,8 +73,8 @@ class Periodic_repair {
     Periodic_signs<d> signs_;
     Held_back<d> held_;
     Left left_;
-    Periodic_table<d> work_;  // the table that is flipped
-    Periodic_star<d> star_;   // of it
+    Periodic_table<d> work_;  // the table, while it is repaired
+    Periodic_star<d> star_;
     Made made_;
     Budget* budget_ = nullptr;
 };

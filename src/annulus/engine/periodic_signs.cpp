@@ -103,15 +103,15 @@ void Periodic_signs<d>::test_cell(std::size_t c) {
 }
 
 template <int d>
-void Periodic_signs<d>::test_all_cells(Cospherical& cospherical) {
-    cospherical.assign(table_->size(), {});
+void Periodic_signs<d>::test_all_cells() {
+    cospherical_.assign(table_->size(), {});
     budget_->charge(static_cast<double>(table_->size()));
     if (!has_fast_clear_cells()) {
-        for (std::size_t c = 0; c < table_->size(); ++c) test_cell(c, &cospherical);
+        for (std::size_t c = 0; c < table_->size(); ++c) test_cell(c, &cospherical_);
         return;
     }
     clear_.find(*table_, *lattice_, x_);
-    for (const std::size_t c : clear_.rest()) test_cell(c, &cospherical);
+    for (const std::size_t c : clear_.rest()) test_cell(c, &cospherical_);
 }
 
 template class Periodic_signs<2>;

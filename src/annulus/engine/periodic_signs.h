@@ -30,11 +30,9 @@ class Periodic_signs {
     /// All of these must outlive the examination. Empties the lists.
     void begin(const Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> x,
                Budget& budget);
-    /// The same table elsewhere in memory.
-    void rebind(const Periodic_table<d>& table) { table_ = &table; }
 
-    /// Tests every cell. Writes which facets are cospherical, as Periodic_table::cospherical.
-    void test_all_cells(Cospherical& cospherical);
+    /// Tests every cell, and finds which facets are cospherical.
+    void test_all_cells();
     /// Tests the cell c and its facets.
     void test_cell(std::size_t c);
     /// Exact. A flat cell is inverted, too.
@@ -47,6 +45,9 @@ class Periodic_signs {
 
     [[nodiscard]] std::vector<std::size_t>& inverted() { return inverted_; }   ///< cells
     [[nodiscard]] std::vector<Corner_index>& violated() { return violated_; }  ///< facets, by one of their halves
+
+    /// What test_all_cells() found, as Periodic_table::cospherical.
+    [[nodiscard]] Cospherical& cospherical() { return cospherical_; }
 
   private:
     using Places = std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)>;
@@ -78,6 +79,7 @@ class Periodic_signs {
     Budget* budget_ = nullptr;
     std::vector<std::size_t> inverted_;
     std::vector<Corner_index> violated_;
+    Cospherical cospherical_;
     Clear_periodic_cells<d> clear_;
 };
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/mesh/periodic_journal.h>
 #include <annulus/mesh/periodic_table.h>
 #include <annulus/space/lattice.h>
 #include <annulus/types.h>
 
+#include <cstddef>
 #include <span>
 
 namespace annulus::inline v1 {
@@ -18,7 +20,29 @@ template <int d>
 [[nodiscard]] bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice,
                                       std::span<const Coordinates<d>> place);
 
+/// What was changed in a table.
+template <int d>
+struct Periodic_table_changes {
+    const Periodic_journal<d>& journal;       ///< of all cells that were changed
+    std::span<const Coordinates<d>> place;    ///< of the vertices, where offsets are those of the journal
+    std::span<const std::size_t> unfinished;  ///< numbers of cells; more than there are do not count
+};
+
+/// The same for a table that was proved, of other places and perhaps another lattice, and has changed since: it
+/// examines what was changed, which is a proof by Lemma 5 of docs/theory.md 8.7. Certificates of cells that were not
+/// changed must have been tested at these places: those that do not hold are of cells that were changed or are named as
+/// unfinished. `cospherical` must have an entry for each cell, right for facets between unchanged ones. Precondition: a
+/// cell that was not changed is the same at both places, up to a translation. O(n), and the cost of changed cells.
+template <int d>
+[[nodiscard]] bool is_still_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice,
+                                            std::span<const Coordinates<d>> place,
+                                            const Periodic_table_changes<d>& changes);
+
 extern template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>);
 extern template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>);
+extern template bool is_still_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>,
+                                              const Periodic_table_changes<2>&);
+extern template bool is_still_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>,
+                                              const Periodic_table_changes<3>&);
 
 }  // namespace annulus::inline v1

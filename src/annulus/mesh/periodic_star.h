@@ -12,16 +12,22 @@ namespace annulus::inline v1 {
 
 /// The corners of a periodic table at a vertex, all around one image of it. A cell may have several of them, so corners
 /// are walked, not cells.
+///
+/// A corner of each vertex is kept. Where it is not there any more, because the table was changed or is another one,
+/// corners are looked for again, in O(number of cells).
 template <int d>
 class Periodic_star {
   public:
-    /// Finds a corner of each of so many vertices. O(number of cells).
-    void begin(const Periodic_table<d>& table, std::size_t vertices) {
-        corner_of_.assign(vertices, no_corner);
-        found_.assign(4 * table.size(), 0);
-        for (std::size_t c = 0; c < table.size(); ++c) add(table, c);
+    /// The table has so many vertices.
+    void begin(std::size_t vertices) {
+        if (corner_of_.size() != vertices) corner_of_.assign(vertices, no_corner);
     }
-    /// The cell is a new one. Cells that are gone need no call: those that come have their vertices.
+    /// After an exception in of(), nothing that was kept can be relied on.
+    void forget() noexcept {
+        corner_of_.clear();
+        found_.clear();
+    }
+    /// The cell is a new one.
     void add(const Periodic_table<d>& table, std::size_t c) {
         for (std::size_t i = 0; i <= d; ++i)
             corner_of_[static_cast<std::size_t>(table.vertex[c][i])] = table.corner(c, i);
@@ -31,6 +37,7 @@ class Periodic_star {
     [[nodiscard]] std::span<const Corner_index> of(const Periodic_table<d>& table, Index v) {
         if (found_.size() < 4 * table.size()) found_.resize(4 * table.size(), 0);
         star_.clear();
+        if (!is_at(table, corner_of_[static_cast<std::size_t>(v)], v)) find_corners(table);
         find(corner_of_[static_cast<std::size_t>(v)]);
         for (std::size_t k = 0; k < star_.size(); ++k) {
             const std::size_t c = table.cell_of(star_[k]), slot = table.slot_of(star_[k]);
@@ -45,6 +52,14 @@ class Periodic_star {
     }
 
   private:
+    [[nodiscard]] static bool is_at(const Periodic_table<d>& table, Corner_index h, Index v) {
+        return h != no_corner && table.cell_of(h) < table.size() &&
+               table.vertex[table.cell_of(h)][table.slot_of(h)] == v;
+    }
+    void find_corners(const Periodic_table<d>& table) {
+        for (std::size_t c = 0; c < table.size(); ++c)
+            if (table.vertex[c][0] != none) add(table, c);
+    }
     void find(Corner_index h) {
         if (found_[h.offset()] != 0) return;
         found_[h.offset()] = 1;
