@@ -50,7 +50,8 @@ function(annulus_unite_core target)
         endforeach()
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources INCLUDE REGEX "/annulus/${module}/[a-z_0-9]*[.]cpp$")
-        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates|clear_(periodic_)?cells)[.]cpp$")  # names clash
+        # Their names clash with others.
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates|clear_(periodic_)?cells)[.]cpp$")
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")

@@ -115,38 +115,57 @@ ANNULUS_INLINE void test_four(const Cells& cells, const std::array<std::size_t, 
         if (clear[i] == 0) rest.push_back(cell[i]);
 }
 
+/// Of cells that are not lifted; adds the others to `left`.
 template <int d>
-ANNULUS_AVX2 void find_unclear(const Periodic_table<d>& table, const std::uint8_t* lifted, const Near_shifts<d>& shifts,
-                               const Coordinates<d>* x, std::vector<std::size_t>& rest) {
+ANNULUS_AVX2 void find_unclear_plain(const Periodic_table<d>& table, const std::uint8_t* lifted,
+                                     const Coordinates<d>* x, std::vector<std::size_t>& left,
+                                     std::vector<std::size_t>& rest) {
     constexpr std::size_t ahead = 16;
     const Cells_in_memory<d> t(table);
-    Plain_cells<d> plain{x};
-    Lifted_cells<d> far{{x}, shifts.data()};
-    std::size_t plain_size = 0, far_size = 0;
-    for (std::size_t c = 0, size = table.size(); c < size; ++c) {
+    Plain_cells<d> four{x};
+    std::size_t size = 0;
+    for (std::size_t c = 0, end = table.size(); c < end; ++c) {
         // The positions of a cell's neighbours are three dependent loads away.
-        if (d == 3 && c + 2 * ahead < size)
+        if (d == 3 && c + 2 * ahead < end)
             for (const Corner_index h : t.twin[c + 2 * ahead]) __builtin_prefetch(&t.vertex[table.cell_of(h)]);
-        if (c + ahead < size) {
+        if (c + ahead < end)
             for (std::size_t k = 0; k <= d; ++k)
                 __builtin_prefetch(&x[static_cast<std::size_t>(t.opposite(c + ahead, k))]);
-            if (lifted[c + ahead] != 0)
-                for (const Corner_index h : t.twin[c + ahead]) __builtin_prefetch(&table.offset[table.cell_of(h)]);
+        if (lifted[c] != 0) {
+            left.push_back(c);
+            continue;
         }
-        if (lifted[c] == 0) {
-            plain.set(t, plain_size, c);
-            if (++plain_size < 4) continue;
-            plain_size = 0;
-            test_four<d>(plain, plain.cell, rest);
-        } else if (!far.set(table, far_size, c)) rest.push_back(c);
-        else if (++far_size == 4) {
-            far_size = 0;
-            test_four<d>(far, far.plain.cell, rest);
-        }
+        four.set(t, size, c);
+        if (++size < 4) continue;
+        size = 0;
+        test_four<d>(four, four.cell, rest);
     }
-    rest.insert(rest.end(), plain.cell.begin(), plain.cell.begin() + static_cast<std::ptrdiff_t>(plain_size));
-    rest.insert(rest.end(), far.plain.cell.begin(), far.plain.cell.begin() + static_cast<std::ptrdiff_t>(far_size));
-    std::sort(rest.begin(), rest.end());
+    rest.insert(rest.end(), four.cell.begin(), four.cell.begin() + static_cast<std::ptrdiff_t>(size));
+}
+
+/// Of these cells.
+template <int d>
+ANNULUS_AVX2 void find_unclear_lifted(const Periodic_table<d>& table, std::span<const std::size_t> cells,
+                                      const Near_shifts<d>& shifts, const Coordinates<d>* x,
+                                      std::vector<std::size_t>& rest) {
+    constexpr std::size_t ahead = 8;
+    Lifted_cells<d> four{{x}, shifts.data()};
+    std::size_t size = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        if (k + ahead < cells.size())
+            for (const Corner_index h : table.twin[cells[k + ahead]]) {
+                __builtin_prefetch(&table.vertex[table.cell_of(h)]);
+                __builtin_prefetch(&table.offset[table.cell_of(h)]);
+            }
+        if (!four.set(table, size, cells[k])) {
+            rest.push_back(cells[k]);
+            continue;
+        }
+        if (++size < 4) continue;
+        size = 0;
+        test_four<d>(four, four.plain.cell, rest);
+    }
+    rest.insert(rest.end(), four.plain.cell.begin(), four.plain.cell.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
 }  // namespace
@@ -156,7 +175,10 @@ void Clear_periodic_cells<d>::find(const Periodic_table<d>& table, const Lattice
                                    std::span<const Coordinates<d>> x) {
     rest_.clear();
     find_lifted(table, lifted_);
-    find_unclear(table, lifted_.data(), Near_shifts<d>(lattice), x.data(), rest_);
+    left_.clear();
+    find_unclear_plain(table, lifted_.data(), x.data(), left_, rest_);
+    find_unclear_lifted(table, std::span<const std::size_t>(left_), Near_shifts<d>(lattice), x.data(), rest_);
+    std::sort(rest_.begin(), rest_.end());
 }
 
 template class Clear_periodic_cells<2>;

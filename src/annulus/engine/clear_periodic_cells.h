@@ -24,6 +24,7 @@ class Clear_periodic_cells {
 
   private:
     std::vector<std::size_t> rest_;
+    std::vector<std::size_t> left_;     // those that are lifted
     std::vector<std::uint8_t> lifted_;  // by cell: whether an offset of it or of a neighbour is not 0
 };
 
