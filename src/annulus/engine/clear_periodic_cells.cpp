@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 namespace annulus::inline v1 {
 
@@ -23,12 +24,14 @@ class Near_shifts {
         }
     }
     [[nodiscard]] const Coordinates<d>* data() const { return shift_.data(); }
-    /// The number of an offset; negative where it is none of these.
-    [[nodiscard]] static Index number(Offset<d> o) {
+    /// The numbers of packed offsets, of one or of several side by side. Bits of `far` are set where one is none of
+    /// these.
+    template <class T>
+    [[nodiscard, gnu::always_inline]] static inline T number(T packed, T& far) {
         constexpr std::uint32_t ones = d == 2 ? 0x401U : 0x100401U;
-        const std::uint32_t from_least = static_cast<std::uint32_t>(o.packed()) + ones;
-        if ((from_least & ~(3 * ones)) != 0) return -1;
-        return static_cast<Index>((from_least & 3U) | (from_least >> 8U & 12U) | (from_least >> 16U & 48U));
+        const T from_least = packed + ones;
+        far |= from_least & ~(3 * ones);
+        return (from_least & 3U) | (from_least >> 8U & 12U) | (from_least >> 16U & 48U);
     }
 
   private:
@@ -65,20 +68,53 @@ struct Plain_cells {
     std::array<std::array<Index, 4>, static_cast<std::size_t>(d + 1)> vertex{}, opposite{};
 };
 
+using Integers = std::uint32_t __attribute__((vector_size(16)));
+
 /// Four cells with any offsets for which there are near shifts. Sums of places and shifts are not rounded (Lattice).
 template <int d>
 struct Lifted_cells {
     /// False where an offset is none of the near ones.
-    [[nodiscard]] bool set(const Periodic_table<d>& t, std::size_t i, std::size_t c) {
+    ANNULUS_INLINE bool set(const Periodic_table<d>& t, std::size_t i, std::size_t c) {
         plain.set(Cells_in_memory<d>(t), i, c);
-        Index all = 0;
+        if constexpr (d == 3) return set_shifts(t, i, c);
+        std::uint32_t far = 0;
         for (std::size_t k = 0; k <= d; ++k) {
             const Corner_index h = t.twin[c][k];
-            shift[k][i] = Near_shifts<d>::number(t.offset[c][k]);
-            opposite_shift[k][i] = Near_shifts<d>::number(t.offset[t.cell_of(h)][t.slot_of(h)] + t.translation(c, k));
-            all |= shift[k][i] | opposite_shift[k][i];
+            const Offset<d> opposite = t.offset[t.cell_of(h)][t.slot_of(h)] + t.translation(c, k);
+            shift[k][i] = number(t.offset[c][k], far);
+            opposite_shift[k][i] = number(opposite, far);
         }
-        return all >= 0;
+        return far == 0;
+    }
+    [[nodiscard]] static Index number(Offset<d> o, std::uint32_t& far) {
+        return static_cast<Index>(Near_shifts<d>::number(static_cast<std::uint32_t>(o.packed()), far));
+    }
+    /// The same for all corners and facets side by side: Periodic_table::translation modulo 2^32, where a third is the
+    /// product with 1/3.
+    ANNULUS_INLINE bool set_shifts(const Periodic_table<3>& t, std::size_t i, std::size_t c) {
+        constexpr std::uint32_t third = 0xAAAAAAABU;
+        const auto read = [&t](std::size_t cell, Integers& x) { std::memcpy(&x, &t.offset[cell], sizeof x); };
+        Integers own, a, b, e, f, opposite;
+        const auto& twin = t.twin[c];
+        read(c, own);
+        read(t.cell_of(twin[0]), a);
+        read(t.cell_of(twin[1]), b);
+        read(t.cell_of(twin[2]), e);
+        read(t.cell_of(twin[3]), f);
+        for (std::size_t k = 0; k < 4; ++k)
+            opposite[k] = static_cast<std::uint32_t>(t.offset[t.cell_of(twin[k])][t.slot_of(twin[k])].packed());
+        const Integers ab = __builtin_shufflevector(a, b, 0, 4, 1, 5) + __builtin_shufflevector(a, b, 2, 6, 3, 7);
+        const Integers ef = __builtin_shufflevector(e, f, 0, 4, 1, 5) + __builtin_shufflevector(e, f, 2, 6, 3, 7);
+        const Integers sums = __builtin_shufflevector(ab, ef, 0, 1, 4, 5) + __builtin_shufflevector(ab, ef, 2, 3, 6, 7);
+        const Integers facet = own[0] + own[1] + own[2] + own[3] - own;
+        Integers far{};
+        const Integers here = Near_shifts<3>::number(own, far);
+        const Integers there = Near_shifts<3>::number(opposite + (facet - (sums - opposite)) * third, far);
+        for (std::size_t k = 0; k < 4; ++k) {
+            shift[k][i] = static_cast<Index>(here[k]);
+            opposite_shift[k][i] = static_cast<Index>(there[k]);
+        }
+        return (far[0] | far[1] | far[2] | far[3]) == 0;
     }
     ANNULUS_INLINE four_cells::Vector<d> corner(std::size_t k) const {
         return four_cells::sum(plain.corner(k), four_cells::read<d>(shifts, shift[k]));
