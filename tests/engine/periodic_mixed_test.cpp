@@ -6,6 +6,7 @@
 
 #include <support/catch.h>
 #include <support/cells_of_periodic.h>
+#include <support/failing_new.h>
 #include <support/periodic_boxes.h>
 #include <support/repeats.h>
 
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <random>
 #include <tuple>
 #include <vector>
 
@@ -241,4 +243,32 @@ TEST_CASE("a step of a periodic mesh in which no vertex moves tests nothing, wit
 TEST_CASE("periodic moves, insertions and removals in any order: the cells of a fresh build", "[engine][periodic]") {
     expect_right_walks<2>(repeats(12), {0, 3, 17, 90, 300}, 25);
     expect_right_walks<3>(repeats(6), {0, 2, 12, 60, 200}, 20);
+}
+
+TEMPLATE_TEST_CASE_SIG("A move that runs out of memory keeps neighbours and what is cospherical", "[engine][periodic]",
+                       ((int d), d), 2, 3) {
+    std::vector<Coordinates<d>> lattice;
+    for (int k = 0; k < (d == 2 ? 16 : 64); ++k) {
+        Coordinates<d> p;
+        for (int i = 0, rest = k; i < d; ++i, rest /= 4) p[static_cast<std::size_t>(i)] = rest % 4 / 4.0;
+        lattice.push_back(p);
+    }
+    auto moved = lattice;
+    std::mt19937_64 random(1);
+    for (auto& p : moved)
+        for (double& c : p) c += std::uniform_real_distribution(-1e-6, 1e-6)(random);
+    Coordinates<d> one;
+    one.fill(1);
+    int refused = 0;
+    for (std::uint64_t n = 0;; ++n) {
+        Periodic_mesh<d> mesh(lattice, Box<d>::orthorhombic(one));
+        const auto counts = mesh.neighbour_counts();
+        const auto outcome = starve(n, Memory::short_once, [&] { mesh.move_all(moved); });
+        if (outcome == Starved::done) break;
+        if (outcome != Starved::refused) continue;
+        ++refused;
+        REQUIRE(mesh.neighbour_counts() == counts);
+        REQUIRE(mesh.audit().delaunay());
+    }
+    CHECK(refused > 20);
 }

@@ -94,7 +94,7 @@ class Usage(ToolTest):
             ["lloyd", "--points", "10", "--input", "three.xyz"],
             ["lloyd", "--points", "10", "--ignore-z"],
             ["lloyd", "--points", "10", "--density", "x3"],
-            ["lloyd", "--points", "10", "--density", "photo.jpg"],
+            ["lloyd", "--points", "10", "--density", "photo.gif"],
             ["lloyd", "--points", "10", "--invert"],
             ["lloyd", "--points", "10", "--dots", "cells"],
             ["lloyd", "--points", "10", "--density", "a.pgm", "--domain", "disc"],
