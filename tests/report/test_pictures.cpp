@@ -6,6 +6,7 @@
 
 #include <apps/report/cut_picture.h>
 #include <apps/report/frame_record.h>
+#include <apps/report/joined_outlines.h>
 #include <apps/report/report.h>
 #include <apps/report/svg_gray.h>
 
@@ -49,6 +50,37 @@ TEST_CASE("Faces are drawn below edges, one path for each shade", "[report]") {
     CHECK(svg.find("class=\"face") < svg.find("class=\"edges"));
     picture.shading = Shading::angles;
     CHECK(contains(svg_triangulation(picture, window_of(picture.points)), "class=\"face q1\""));
+}
+
+TEST_CASE("The parts of a face have one outline, holes the other way", "[report]") {
+    using Outlines = std::vector<std::vector<Coordinates<2>>>;
+    const auto square = [](double x, double y) {
+        return std::vector<Coordinates<2>>{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
+    };
+    CHECK(joined_outlines({square(0, 0)}) == Outlines{square(0, 0)});
+    // An L; a corner is off by rounding, and another is there twice.
+    Outlines l{square(0, 0), square(1, 0), square(0, 1)};
+    l[1][0][1] += 1e-15;
+    l[2].push_back(l[2].back());
+    const Outlines joined = joined_outlines(l);
+    REQUIRE(joined.size() == 1);
+    CHECK(joined[0].size() == 8);
+    CHECK(std::fabs(area(joined[0]) - 3) < 1e-14);
+    Outlines ring;
+    for (double x = 0; x < 3; ++x)
+        for (double y = 0; y < 3; ++y)
+            if (x != 1 || y != 1) ring.push_back(square(x, y));
+    const Outlines around = joined_outlines(ring);
+    REQUIRE(around.size() == 2);
+    CHECK(area(around[0]) == 9);
+    CHECK(area(around[1]) == 1);
+    CHECK(joined_outlines({square(0, 0), square(5, 0)}) == Outlines{square(0, 0), square(5, 0)});
+    // One path, filled where it winds: the hole is not.
+    Picture picture = grid(4);
+    picture.faces = {{around[0], 2, {around[1]}}};
+    const std::string svg = svg_triangulation(picture, window_of(picture.points));
+    CHECK(occurrences(svg.substr(0, svg.find("class=\"edges")), "M") == 2);
+    CHECK(occurrences(svg, "class=\"face") == 1);
 }
 
 TEST_CASE("Of faces those in the window are drawn", "[report]") {

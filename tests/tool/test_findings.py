@@ -72,6 +72,13 @@ class Findings(tool.ToolTest):
         self.assertGreater(drawn, 2400)
         self.assertLess(drawn, 3400)
 
+    def test_no_line_crosses_a_cell(self):
+        """A cell in a polygon that is not convex is made of parts; it is drawn as one."""
+        self.write("l.xyz", "0 0\n4 0\n4 1.5\n1.5 1.5\n1.5 4\n0 4\n\n0.25 0.25\n1 0.25\n1 1\n0.25 1\n")
+        text = self.page("lloyd", "--points", 200, "--domain", "l.xyz", "--iterations", 20)
+        last = text.split("Voronoi cells before")[1]
+        self.assertEqual(200, sum(d.count("M") for d in re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', last)))
+
     def test_other_tolerances_have_no_cells(self):
         """They need not be Delaunay."""
         text = self.page("lloyd", "--points", 50, "--iterations", 2, "--strategy", "paper", "--tolerance", "floating")

@@ -9,10 +9,12 @@
 #include <apps/motion/region_cell_2.h>
 #include <apps/motion/voronoi_cell_2.h>
 #include <apps/report/face_limits.h>
+#include <apps/report/joined_outlines.h>
 #include <apps/report/shades.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -42,9 +44,7 @@ class View_maker {
             for (const Cell_2& part : parts) *view_.measures.energy += cell_energy(*density_, part, site);
         // The window of a page is that of two pictures, and may be a little larger than this one.
         const double off = std::max(std::fabs(site[0] - part_.centre[0]), std::fabs(site[1] - part_.centre[1]));
-        if (part_.whole || off < 1.5 * part_.half_side)
-            for (const Cell_2& part : parts)
-                view_.cells.faces.push_back({outline_of(part), on_hull ? hull_shade : shade});
+        if (part_.whole || off < 1.5 * part_.half_side) add_face(parts, on_hull ? hull_shade : shade);
     }
 
     void add_triangle(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) {
@@ -63,6 +63,16 @@ class View_maker {
     }
 
   private:
+    /// One face: no line is drawn where the parts of a cell meet.
+    void add_face(std::span<const Cell_2> parts, unsigned char shade) {
+        std::vector<std::vector<Coordinates<2>>> outlines;
+        for (const Cell_2& part : parts) outlines.push_back(outline_of(part));
+        outlines = joined_outlines(std::move(outlines));
+        if (outlines.empty()) return;
+        Face& face = view_.cells.faces.emplace_back(Face{std::move(outlines.front()), shade});
+        face.more.assign(std::move_iterator(outlines.begin() + 1), std::move_iterator(outlines.end()));
+    }
+
     const Density_2* density_;
     Window part_;
     Plane_view view_;

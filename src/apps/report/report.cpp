@@ -90,7 +90,10 @@ Window common_window(const std::vector<const Picture*>& pictures, std::size_t mo
     const Window window = window_of(all, most * pictures.size(), within * pictures.size());
     if (!window.whole) return window;
     for (const Picture* picture : pictures)
-        for (const Face& face : picture->faces) all.insert(all.end(), face.corners.begin(), face.corners.end());
+        for (const Face& face : picture->faces) {
+            all.insert(all.end(), face.corners.begin(), face.corners.end());
+            for (const auto& outline : face.more) all.insert(all.end(), outline.begin(), outline.end());
+        }
     return window_of(all, all.size(), all.size());
 }
 

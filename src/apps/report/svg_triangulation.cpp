@@ -94,25 +94,33 @@ std::string trails(const std::vector<std::array<Index, 2>>& edges, const std::ve
     return out;
 }
 
+void append_outline(std::string& out, const std::vector<Coordinates<2>>& corners, const Window& window) {
+    if (corners.size() < 3) return;
+    Grid_point last = place(window, corners[0]);
+    out += 'M';
+    append_pair(out, last.x, last.y);
+    out += 'l';
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const Grid_point next = place(window, corners[i]);
+        if (i > 1 && next.x >= last.x) out += ' ';  // a minus separates numbers by itself
+        append_pair(out, next.x - last.x, next.y - last.y);
+        last = next;
+    }
+    out += 'z';
+}
+
 /// The faces of one shade, with a corner in the window, as a path.
 std::string outlines(const Picture& picture, const Window& window, unsigned char shade) {
+    const auto enters = [&](const std::vector<Coordinates<2>>& corners) {
+        return std::any_of(corners.begin(), corners.end(), [&](const auto& p) { return inside(window, p); });
+    };
     std::string out;
     for (const Face& face : picture.faces) {
-        if (face.shade != shade || face.corners.size() < 3) continue;
-        if (!window.whole &&
-            std::none_of(face.corners.begin(), face.corners.end(), [&](const auto& p) { return inside(window, p); }))
+        if (face.shade != shade) continue;
+        if (!window.whole && !enters(face.corners) && std::none_of(face.more.begin(), face.more.end(), enters))
             continue;
-        Grid_point last = place(window, face.corners[0]);
-        out += 'M';
-        append_pair(out, last.x, last.y);
-        out += 'l';
-        for (std::size_t i = 1; i < face.corners.size(); ++i) {
-            const Grid_point next = place(window, face.corners[i]);
-            if (i > 1 && next.x >= last.x) out += ' ';  // a minus separates numbers by itself
-            append_pair(out, next.x - last.x, next.y - last.y);
-            last = next;
-        }
-        out += 'z';
+        append_outline(out, face.corners, window);
+        for (const auto& outline : face.more) append_outline(out, outline, window);
     }
     return out;
 }

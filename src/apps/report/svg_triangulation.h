@@ -10,10 +10,11 @@
 
 namespace annulus::inline v1 {
 
-/// A filled convex polygon of a picture: a Voronoi cell, the section of a tetrahedron.
+/// A filled polygon of a picture: a Voronoi cell, the section of a tetrahedron.
 struct Face {
     std::vector<Coordinates<2>> corners;
-    unsigned char shade = 0;  ///< see shades.h
+    unsigned char shade = 0;                          ///< see shades.h
+    std::vector<std::vector<Coordinates<2>>> more{};  ///< its other pieces, and its holes, in the other direction
 };
 
 /// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut. Faces are below them.
