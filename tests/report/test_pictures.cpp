@@ -119,6 +119,8 @@ TEST_CASE("Shades say what they mean", "[report]") {
         CHECK(occurrences(legend, "class=\"face") == 6);
         CHECK(contains(legend, name));
     }
+    CHECK(contains(legend_of(Shading::neighbours), "at the border"));
+    CHECK(!contains(legend_of(Shading::neighbours, false), "at the border"));
 }
 
 TEST_CASE("A filled cut covers the section, with the shade of each cell", "[report]") {

@@ -5,6 +5,7 @@
 
 import html
 import math
+import random
 import re
 
 import tool
@@ -42,6 +43,7 @@ class Findings(tool.ToolTest):
         said = self.found("replay", self.lattice("c.xyz", places, box))
         self.assertIn("36 of the 36 inner vertices have six neighbours at the end (100 %; 100 % at the start)", said)
         self.assertIn(f"stayed at {angle:.1f} degrees on average", said)
+        self.assertNotIn("at the border", self.page("replay", "c.xyz"))  # a periodic box has none
         self.assertIn("In 2 steps points moved by", said)
 
     def test_the_energy_of_a_square_lattice(self):
@@ -72,12 +74,36 @@ class Findings(tool.ToolTest):
         self.assertGreater(drawn, 2400)
         self.assertLess(drawn, 3400)
 
+    def test_cells_that_the_domain_cuts_are_at_the_border(self):
+        """Of 8 x 8 points, shaken a little: those along the sides and around a hole, not only those on the convex hull."""
+        dice = random.Random(tool.SEED)
+        places = [(x - 3.5 + dice.uniform(-0.05, 0.05), y - 3.5 + dice.uniform(-0.05, 0.05))
+                  for x in range(8) for y in range(8)]
+        self.write("shaken.xyz", "".join(f"{x!r} {y!r}\n" for x, y in places))
+        square = "".join(f"{x} {y}\n" for x, y in ((-4, -4), (4, -4), (4, 4), (-4, 4)))
+        hole = "".join(f"{x} {y}\n" for x, y in ((-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)))
+        self.write("square.xyz", square)
+        self.write("hole.xyz", square + "\n" + hole)
+        cut = {"square.xyz": 28, "hole.xyz": 28 + 4}  # around the hole, in the middle, there are four
+        for domain, border in cut.items():
+            text = self.page("lloyd", "--input", "shaken.xyz", "--domain", domain, "--iterations", 1)
+            drawn = [sum(d.count("M") for d in re.findall(rf'class="face n{shade}" stroke-width="\d+" d="([^"]*)"',
+                                                          text.split("Voronoi cells before")[1])) for shade in range(6)]
+            self.assertEqual(border, drawn[5], domain)
+        # Every cell that the circle cuts is white: the others are convex polygons of few corners.
+        text = self.page("lloyd", "--points", 100, "--iterations", 20)
+        for d in re.findall(r'class="face n[0-4]" stroke-width="\d+" d="([^"]*)"', text):
+            for outline in d.split("M")[1:]:
+                self.assertLess(len(re.findall(r"-?\d+", outline)) // 2, 14)
+        self.assertRegex(text, r'class="face n5"')
+        self.assertIn("inner vertices", text)
+
     def test_no_line_crosses_a_cell(self):
         """A cell in a polygon that is not convex is made of parts; it is drawn as one."""
         self.write("l.xyz", "0 0\n4 0\n4 1.5\n1.5 1.5\n1.5 4\n0 4\n\n0.25 0.25\n1 0.25\n1 1\n0.25 1\n")
         text = self.page("lloyd", "--points", 200, "--domain", "l.xyz", "--iterations", 20)
-        last = text.split("Voronoi cells before")[1]
-        self.assertEqual(200, sum(d.count("M") for d in re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', last)))
+        outlines = re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', text)
+        self.assertEqual(2 * 200, sum(d.count("M") for d in outlines))
 
     def test_other_tolerances_have_no_cells(self):
         """They need not be Delaunay."""

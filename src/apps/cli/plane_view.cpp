@@ -6,7 +6,9 @@
 #include <apps/cli/lloyd_scene.h>
 #include <apps/motion/cell_energy.h>
 #include <apps/motion/cell_quality.h>
+#include <apps/motion/moments_2.h>
 #include <apps/motion/region_cell_2.h>
+#include <apps/motion/vector_2.h>
 #include <apps/motion/voronoi_cell_2.h>
 #include <apps/report/face_limits.h>
 #include <apps/report/joined_outlines.h>
@@ -34,9 +36,9 @@ class View_maker {
     }
 
     /// A cell, in parts with disjoint interiors.
-    void add_cell(const Coordinates<2>& site, bool on_hull, Index neighbours, std::span<const Cell_2> parts) {
+    void add_cell(const Coordinates<2>& site, bool at_border, Index neighbours, std::span<const Cell_2> parts) {
         const unsigned char shade = shade_of_neighbours(neighbours);
-        if (!on_hull) {
+        if (!at_border) {
             ++view_.measures.inner;
             ++view_.measures.neighbours[shade];
         }
@@ -44,7 +46,7 @@ class View_maker {
             for (const Cell_2& part : parts) *view_.measures.energy += cell_energy(*density_, part, site);
         // The window of a page is that of two pictures, and may be a little larger than this one.
         const double off = std::max(std::fabs(site[0] - part_.centre[0]), std::fabs(site[1] - part_.centre[1]));
-        if (part_.whole || off < 1.5 * part_.half_side) add_face(parts, on_hull ? hull_shade : shade);
+        if (part_.whole || off < 1.5 * part_.half_side) add_face(parts, at_border ? border_shade : shade);
     }
 
     void add_triangle(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) {
@@ -105,6 +107,22 @@ Domain_2 around(std::span<const Coordinates<2>> points, double more = 0) {
     return Domain_2::polygon(std::vector<Coordinates<2>>{low, {high[0], low[1]}, high, {low[0], high[1]}});
 }
 
+double area_of(const Cell_2& cell) { return moments(Density::one, cell.origin, cell.corners).mass; }
+
+/// Whether the border of a convex domain cuts off a part of the cell, or all of it, or comes as near as rounding.
+bool reaches_border(const Domain_2& domain, const Cell_2& cell) {
+    return cell.corners.empty() || std::any_of(cell.corners.begin(), cell.corners.end(), [&](const Corner_2& corner) {
+               return !domain.well_contains(plus(cell.origin, corner.offset));
+           });
+}
+
+/// Whether the parts are less than the cell by more than rounding.
+bool is_less(std::span<const Cell_2> parts, const Cell_2& cell) {
+    double area = 0;
+    for (const Cell_2& part : parts) area += area_of(part);
+    return area < (1 - 1e-9) * area_of(cell);
+}
+
 std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
     std::vector<Coordinates<2>> points;
     for (std::size_t i = 0; i < dt.index_bound(); ++i)
@@ -112,9 +130,9 @@ std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
     return points;
 }
 
-}  // namespace
-
-Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density, std::string caption) {
+/// `open`: there is no domain, only a frame for the picture; then unbounded cells are at the border.
+Plane_view view_in(const Moving_mesh_2& dt, const Region_2& domain, bool open, const Density_2* density,
+                   std::string caption) {
     View_maker maker(present(dt), density, std::move(caption));
     const std::span<const Coordinates<2>> points = dt.points();
     Stars_2 stars;
@@ -126,7 +144,9 @@ Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Den
     for (std::size_t v = 0; v < sides.size(); ++v) {
         if (!dt.is_vertex(static_cast<Index>(v))) continue;
         const Cell_2& cell = cell_of(points[v], stars.of(v), points, stars.cyclic(v));
-        maker.add_cell(points[v], !stars.cyclic(v), sides[v], parts_of ? (*parts_of)(cell) : std::span(&cell, 1));
+        const std::span<const Cell_2> parts = parts_of ? (*parts_of)(cell) : std::span(&cell, 1);
+        const bool cut = !open && (reaches_border(domain.hull(), cell) || (parts_of && is_less(parts, cell)));
+        maker.add_cell(points[v], cut || !stars.cyclic(v), sides[v], parts);
     }
     const auto at = [&](Index v) { return points[static_cast<std::size_t>(v)]; };
     for (const auto& c : dt.cells().vertices)
@@ -134,15 +154,21 @@ Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Den
     return maker.finish();
 }
 
+}  // namespace
+
+Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density, std::string caption) {
+    return view_in(dt, domain, false, density, std::move(caption));
+}
+
 std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, std::string caption) {
     if (dt.number_of_vertices() == 0) return {};
-    std::optional<Domain_2> domain;
+    std::optional<Domain_2> frame;
     try {
-        domain = around(present(dt));
+        frame = around(present(dt));
     } catch (const Error&) {
         return {};
     }
-    return plane_view(dt, *domain, nullptr, std::move(caption));
+    return view_in(dt, *frame, true, nullptr, std::move(caption));
 }
 
 std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* density, std::string caption) {

@@ -19,12 +19,12 @@ struct Plane_view {
     Picture cells;  ///< Voronoi cells, with the shades of their numbers of neighbours; of many those in the middle
 };
 
-/// Voronoi cells are cut to the domain, into several parts where it is not convex; with a density their energy is
-/// measured. Neighbours are those with a facet that
-/// is not exactly empty. Precondition: the triangulation is Delaunay. O(n), 4 microseconds a vertex.
+/// Voronoi cells are cut to the domain, into several parts where it is not convex; those of which that takes something
+/// are at the border. With a density their energy is measured. Neighbours are those with a facet that is not exactly
+/// empty. Precondition: the triangulation is Delaunay. O(n), 4 microseconds a vertex.
 [[nodiscard]] Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density,
                                     std::string caption);
-/// The cells are cut to a box around the points. Nothing where there is no such box: the points are in one place, or
+/// Unbounded cells are at the border. Cells are cut to a box around the points, for the picture only. Nothing where there is no such box: the points are in one place, or
 /// their distances are not between 1e-100 and 1e100.
 [[nodiscard]] std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, std::string caption);
 /// The cells of the points of a periodic box.

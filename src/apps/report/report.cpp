@@ -117,8 +117,8 @@ void append_pictures(std::string& out, const Report& report) {
 
 void append_cells(std::string& out, const Report& report) {
     if (report.voronoi.empty()) return;
-    out += "<h2>Voronoi cells by number of neighbours</h2>\n" + legend_of(Shading::neighbours) +
-           "<div class=\"panels\">\n";
+    out += "<h2>Voronoi cells by number of neighbours</h2>\n" +
+           legend_of(Shading::neighbours, report.run.input.box.empty()) + "<div class=\"panels\">\n";
     std::vector<const Picture*> pictures;
     for (const Picture& picture : report.voronoi) pictures.push_back(&picture);
     const Window window = common_window(pictures, most_faces, faces_in_window);
@@ -127,10 +127,15 @@ void append_cells(std::string& out, const Report& report) {
     out += "</div>\n";
 }
 
-constexpr const char* plane_caption =
-    "Of the vertices that are not on the convex hull, how many neighbours they have; of all triangles the least angle, "
-    "60 degrees where all are equilateral. The energy is the integral of the density times the squared distance to the "
-    "nearest point: what Lloyd's iterations make smaller.";
+std::string plane_caption(const Run_record& run) {
+    return std::string(run.input.box.empty()
+                           ? "Inner vertices have Voronoi cells that the border does not cut; how many neighbours they "
+                             "have is counted. "
+                           : "How many neighbours the vertices have. ") +
+           "Of all triangles the least angle is measured, 60 degrees where all are equilateral. The energy is the "
+           "integral of the density times the squared distance to the nearest point: what Lloyd's iterations make "
+           "smaller.";
+}
 
 void append_drawings(std::string& out, const std::vector<Drawing>& drawings) {
     if (drawings.empty()) return;
@@ -193,7 +198,7 @@ std::string report_html(const Report& report) {
     else append_findings(out, findings(run));
     append_drawings(out, report.drawings);
     append_cells(out, report);
-    append_plots(out, "How regular it became", plane_plots(run), plane_caption);
+    append_plots(out, "How regular it became", plane_plots(run), plane_caption(run));
     if (report.film.empty()) append_pictures(out, report);
     else out += "<h2>The triangulation</h2>\n" + report.film.html();
     append_plots(

@@ -152,10 +152,11 @@ std::vector<Plot> plane_plots(const Run_record& run) {
                        : std::optional(100 * static_cast<double>(p.neighbours[which]) / static_cast<double>(p.inner));
         });
     };
+    const char* const counted = run.input.box.empty() ? "inner vertices (%)" : "vertices (%)";
     const double first = run.plane_before && run.plane_before->energy ? *run.plane_before->energy : 0;
     std::vector<Plot> plots{{"Numbers of neighbours",
                              iteration_axis(Scale::log10),
-                             {"inner vertices (%)", Scale::linear, 0., {}, false},
+                             {counted, Scale::linear, 0., {}, false},
                              {share("seven", 3), share("five", 1), share("six", 2)}},
                             {"Least angles of triangles",
                              iteration_axis(Scale::log10),

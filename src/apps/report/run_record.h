@@ -55,7 +55,7 @@ struct Mesh_step {
 
 /// A 2D triangulation and its Voronoi cells after a step.
 struct Plane_step {
-    std::uint64_t inner = 0;                    ///< vertices that are not on the convex hull
+    std::uint64_t inner = 0;                    ///< vertices with cells that are not at the border: see plane_view.h
     std::array<std::uint64_t, 5> neighbours{};  ///< how many of these have up to 4, 5, 6, 7, from 8 on; see shades.h
     double angle_min = 0, angle_mean = 0;       ///< of the least angles of all triangles, degrees
     /// The integral over the domain of the density times the square of the distance to the nearest vertex.

@@ -11,9 +11,9 @@ namespace annulus::inline v1 {
 /// What the colour of a face says. Shade k of `neighbours` has the CSS class nk, that of `angles` qk (report_style.h).
 enum class Shading { neighbours, angles };
 
-/// The shades of Voronoi cells by number of neighbours: up to 4, 5, 6, 7, from 8 on, and cells of the convex hull.
+/// The shades of Voronoi cells by number of neighbours: up to 4, 5, 6, 7, from 8 on, and cells at the border.
 inline constexpr std::array neighbour_shades{"four or fewer", "five", "six", "seven", "eight or more"};
-inline constexpr unsigned char hull_shade = 5;
+inline constexpr unsigned char border_shade = 5;
 [[nodiscard]] constexpr unsigned char shade_of_neighbours(Index neighbours) {
     return neighbours <= 4 ? 0 : neighbours >= 8 ? 4 : static_cast<unsigned char>(neighbours - 4);
 }
@@ -23,7 +23,7 @@ inline constexpr unsigned char hull_shade = 5;
     return degrees >= 50 ? 5 : degrees >= 10 ? static_cast<unsigned char>(degrees / 10) : 0;
 }
 
-/// The colours and their meaning as a paragraph of a page.
-[[nodiscard]] std::string legend_of(Shading shading);
+/// The colours and their meaning as a paragraph of a page; in a periodic box no cell is at the `border`.
+[[nodiscard]] std::string legend_of(Shading shading, bool border = true);
 
 }  // namespace annulus::inline v1
