@@ -156,7 +156,7 @@ class Nodt(NodtTest):
         self.assertEqual(comparison["strategies"]["tolerances"]["dimension"], 3)
         html = (self.here / "compare" / "report.html").read_text(encoding="utf-8")
         self.assertIn("5 natural ODT iterations", html)
-        self.assertIn("After 5 iterations, cut across", html)
+        self.assertIn("After 5 iterations, cut at ", html)
 
     def test_no_iterations(self):
         self.nodt("--sphere", "--vertices", "60", "--iterations", "0")

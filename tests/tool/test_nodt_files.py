@@ -29,7 +29,7 @@ class NodtFiles(NodtTest):
         self.assertEqual(fields["PointData"], {"tolerance", "theta", "boundary"})
         self.assertEqual(fields["CellData"], {"domain", "dihedral_min"})
         html = (self.here / "out" / "report.html").read_text(encoding="utf-8")
-        for text in ("Before, cut across", "After 2 iterations, cut across", "Dihedral angles", "Slivers"):
+        for text in ("Before, cut at ", "After 2 iterations, cut at ", "Dihedral angles", "Slivers"):
             self.assertIn(text, html)
 
     def test_domain_vtu(self):

@@ -140,7 +140,7 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         tracker.plane_before(first->measures);
         page.voronoi.push_back(std::move(first->cells));
     }
-    if (files) page.before = picture_of(tracker.triangulation(), "Before");
+    if (files) page.before = picture_of(tracker.triangulation(), "Before", page.axis);
     Frame_files<Boxed_mesh<d>> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
     std::optional<Interruption_guard> guard;  // with --output, an interrupted run writes its results so far
@@ -164,7 +164,7 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         page.voronoi.push_back(std::move(last->cells));
     }
     if (files) {
-        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"));
+        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"), page.axis);
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
         page.figures = frame_figures(frames.records(), record, false);
         page.frames = &frames;

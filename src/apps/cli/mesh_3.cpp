@@ -4,9 +4,11 @@
 
 #include <annulus/kernel/delaunay_mesh.h>
 #include <apps/motion/mesh_quality.h>
+#include <apps/report/axis_ticks.h>
 #include <apps/report/cut_picture.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace annulus::inline v1::cli {
@@ -59,8 +61,9 @@ std::size_t Mesh_3::shortest_side() const {
 Picture Mesh_3::cut(std::string caption, std::size_t axis) const {
     const auto [low, high] = box(points_);
     const double at = 0.5 * (low[axis] + high[axis]);
-    return cut_picture(cells(), inside(), points_, axis, at, std::move(caption) + ", cut across " + "xyz"[axis],
-                       domain_);
+    const bool zero = std::fabs(at) < 1e-6 * (high[axis] - low[axis]);
+    return cut_picture(cells(), inside(), points_, axis, at,
+                       std::move(caption) + ", cut at " + "xyz"[axis] + " = " + readable(zero ? 0 : at), domain_);
 }
 
 Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
@@ -77,17 +80,27 @@ Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step) {
             .dihedral = {counts.begin(), counts.end()}};
 }
 
-Picture picture_of(const Moving_mesh_3& dt, std::string caption) {
-    Mesh_3 mesh;
-    mesh.read(dt);
-    return mesh.cut(std::move(caption));
+namespace {
+
+Picture cut(const Mesh_3& mesh, std::string caption, Cut_axis& axis) {
+    const std::size_t now = axis.value_or(mesh.shortest_side());
+    if (!mesh.points().empty()) axis = now;
+    return mesh.cut(std::move(caption), now);
 }
 
-Picture picture_of(const Boxed_mesh<3>& dt, std::string caption) {
+}  // namespace
+
+Picture picture_of(const Moving_mesh_3& dt, std::string caption, Cut_axis& axis) {
+    Mesh_3 mesh;
+    mesh.read(dt);
+    return cut(mesh, std::move(caption), axis);
+}
+
+Picture picture_of(const Boxed_mesh<3>& dt, std::string caption, Cut_axis& axis) {
     Solid_mesh<3> solid = solid_mesh(dt);
     Mesh_3 mesh;
     mesh.read(std::move(solid.points), std::move(solid.cells));
-    return mesh.cut(std::move(caption) + with_images);
+    return cut(mesh, std::move(caption) + with_images, axis);
 }
 
 }  // namespace annulus::inline v1::cli

@@ -32,10 +32,9 @@ class Mesh_3 {
 
     /// The axis of the shortest side of the bounding box: a cut across it is the widest view of the mesh.
     [[nodiscard]] std::size_t shortest_side() const;
-    /// The cells of the domain, cut across that side, through the middle of the box. Where they were read with a
-    /// domain, they are filled with the shades of their least dihedral angles.
-    [[nodiscard]] Picture cut(std::string caption) const { return cut(std::move(caption), shortest_side()); }
-    /// The same across a given axis, so that all pictures of a motion show it from the same side.
+    /// The cells of the domain, cut across an axis, one for all pictures of a motion, through the middle of the box;
+    /// the caption says where. Where they were read with a domain, they are filled with the shades of their least
+    /// dihedral angles.
     [[nodiscard]] Picture cut(std::string caption, std::size_t axis) const;
 
   private:
@@ -48,8 +47,8 @@ class Mesh_3 {
 /// The quality of the mesh after a step, for the files; `locked` and `kept` are those of that step.
 [[nodiscard]] Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step);
 
-/// All cells of the triangulation, cut as above.
-[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption);
-[[nodiscard]] Picture picture_of(const Boxed_mesh<3>& dt, std::string caption);
+/// All cells of the triangulation, cut across this axis, or else across the shortest side.
+[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption, Cut_axis& axis);
+[[nodiscard]] Picture picture_of(const Boxed_mesh<3>& dt, std::string caption, Cut_axis& axis);
 
 }  // namespace annulus::inline v1::cli

@@ -131,7 +131,7 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     if (files) require_writable(a.common);
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), iterations, a.tracking.audit, files);
     Run_page<Moving_mesh_3> page{.step = "Lloyd iteration"};
-    if (files) page.before = picture_of(tracker.triangulation(), "Before");
+    if (files) page.before = picture_of(tracker.triangulation(), "Before", page.axis);
     Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
     Solid_lloyd lloyd(scene.box);
@@ -152,7 +152,7 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     tracker.input(scene.input);
     const Run_record& record = tracker.record();
     if (files) {
-        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"));
+        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"), page.axis);
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
         page.figures = frame_figures(frames.records(), record, false);
         page.frames = &frames;

@@ -4,8 +4,11 @@
 #include <annulus/moving_mesh.h>
 #include <apps/cli/run_tracker.h>
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus::inline v1::cli {
@@ -42,8 +45,17 @@ extern template class Tracker<Moving_mesh_3>;
 using Tracker_2 = Tracker<Moving_mesh_2>;
 using Tracker_3 = Tracker<Moving_mesh_3>;
 
-/// The triangulation as a picture for the report.
+/// The axis across which all pictures of a page cut a 3D triangulation: chosen by the first picture with points.
+using Cut_axis = std::optional<std::size_t>;
+
+/// The triangulation as a picture for the report. In 2D there is no axis.
 [[nodiscard]] Picture picture_of(const Moving_mesh_2& dt, std::string caption);
 [[nodiscard]] Picture picture_of(const Boxed_mesh<2>& dt, std::string caption);
+[[nodiscard]] inline Picture picture_of(const Moving_mesh_2& dt, std::string caption, Cut_axis&) {
+    return picture_of(dt, std::move(caption));
+}
+[[nodiscard]] inline Picture picture_of(const Boxed_mesh<2>& dt, std::string caption, Cut_axis&) {
+    return picture_of(dt, std::move(caption));
+}
 
 }  // namespace annulus::inline v1::cli

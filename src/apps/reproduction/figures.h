@@ -39,7 +39,7 @@ void append_mesh_pages(const Reproduction& reproduction, std::vector<Page_conten
 void append_cost_pages(const Reproduction& reproduction, std::vector<Page_content>& out);
 [[nodiscard]] Page_content unsound_page(const Reproduction& reproduction);
 
-/// "after 1,000 iterations, cut across x".
+/// "after 1,000 iterations, cut at x = 0.5".
 [[nodiscard]] std::string caption_of(const Picture_record& picture);
 
 /// The plot as a panel, with its curves as a table of that name: a column for the x axis and one for each curve, a row
