@@ -147,6 +147,16 @@ TEST_CASE("A filled cut covers the section, with the shade of each cell", "[repo
     CHECK(rest < 0.99);
     CHECK(rest > 0.4);
     CHECK(cut_picture(cells, inside, x, 2, 0.25, "").faces.empty());
+    // Its points are no vertices: they are not drawn, and not counted as such.
+    inside[0] = 1;
+    const Picture cut = cut_picture(cells, inside, x, 2, 0.25, "");
+    CHECK(cut.points.size() == 9);  // 4 edges of the cube, 4 diagonals of sides, 1 of the cube
+    CHECK(!contains(svg_triangulation(cut, window_of(cut.points)), "class=\"dots\""));
+    Film film;
+    film.add(0, cut, true);
+    CHECK(contains(film.html(), ", 9 cut edges</figcaption>"));
+    CHECK(counted_dots(1, Dots::vertices) == "1 vertex");
+    CHECK(counted_dots(2200, Dots::images) == "2,200 vertices and images");
 }
 
 TEST_CASE("A grey picture has sixteen levels, and few blocks", "[report]") {

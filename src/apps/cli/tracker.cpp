@@ -94,7 +94,9 @@ Picture picture_of(const Moving_mesh_2& dt, std::string caption) {
 
 Picture picture_of(const Boxed_mesh<2>& dt, std::string caption) {
     Solid_mesh<2> mesh = solid_mesh(dt);
-    return picture_of(std::move(mesh.points), mesh.cells, std::move(caption) + with_images);
+    Picture picture = picture_of(std::move(mesh.points), mesh.cells, std::move(caption) + with_images);
+    picture.dots = Dots::images;
+    return picture;
 }
 
 }  // namespace annulus::inline v1::cli

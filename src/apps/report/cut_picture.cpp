@@ -35,6 +35,7 @@ Picture cut_picture(const Mesh_cells<3>& cells, std::span<const char> inside, st
     Picture picture;
     picture.caption = std::move(caption);
     picture.shading = Shading::angles;
+    picture.dots = Dots::crossings;
     const std::size_t right = axis == 0 ? 1 : 0, up = axis == 2 ? 1 : 2;
     const auto above = [&](Index v) { return position[static_cast<std::size_t>(v)][axis] >= at; };
     std::map<std::array<Index, 2>, Index> on_edge;

@@ -20,6 +20,7 @@ void Film::clip(Picture& picture) {
                std::fabs(p[1] - window_->centre[1]) <= window_->half_side;
     };
     Picture rest{{}, {}, std::move(picture.caption)};
+    rest.dots = picture.dots;
     std::vector<Index> number(picture.points.size(), none);
     const auto take = [&](Index i) {
         Index& n = number[static_cast<std::size_t>(i)];
@@ -40,9 +41,9 @@ void Film::add(std::uint64_t number, Picture picture, bool last) {
     frames_ = std::max(frames_, number + 1);
     if (!last && !includes(number)) return;
     if (!pictures_.empty() && pictures_.back().number == number) return;
-    const std::size_t vertices = picture.points.size();
+    const std::size_t points = picture.points.size();
     clip(picture);
-    pictures_.push_back({number, std::move(picture), vertices});
+    pictures_.push_back({number, std::move(picture), points});
     if (last || pictures_.size() < most_pictures) return;
     stride_ *= 2;
     std::erase_if(pictures_, [this](const Shot& shot) { return !includes(shot.number); });
@@ -54,15 +55,14 @@ std::string Film::html() const {
     bool parts = false;
     for (const Shot& shot : pictures_) {
         all.insert(all.end(), shot.picture.points.begin(), shot.picture.points.end());
-        parts = parts || shot.vertices > shot.picture.points.size();
+        parts = parts || shot.points > shot.picture.points.size();
     }
     Window window = window_ ? *window_ : window_of(all, all.size(), all.size());
     window.whole = !parts;
     std::string out = "<div class=\"film\">\n";
     for (const Shot& shot : pictures_)
         out += "<figure>" + svg_triangulation(shot.picture, window) + "<figcaption>" + escaped(shot.picture.caption) +
-               ", " + grouped(shot.vertices) + (shot.vertices == 1 ? " vertex" : " vertices") +
-               "</figcaption></figure>\n";
+               ", " + counted_dots(shot.points, shot.picture.dots) + "</figcaption></figure>\n";
     out += "<p hidden><label>Frame <input type=\"range\" min=\"0\" max=\"" + std::to_string(pictures_.size() - 1) +
            "\" value=\"0\" step=\"1\"/></label></p>\n</div>\n<figcaption>";
     out += pictures_.size() == frames_
@@ -70,8 +70,8 @@ std::string Film::html() const {
                : grouped(pictures_.size()) + " of " + grouped(frames_) + " frames are shown: one in " +
                      grouped(stride_) + ", and the last";
     if (parts)
-        out += "; of each a window in the middle, chosen when there were more than " + grouped(most_vertices) +
-               " vertices";
+        out += "; of each a window in the middle, chosen when there were more than " +
+               counted_dots(most_vertices, pictures_.front().picture.dots);
     out += ".</figcaption>\n";
     // Without scripts there is nothing to slide.
     return out + R"js(<script>

@@ -34,7 +34,7 @@ class Film {
     struct Shot {
         std::uint64_t number;
         Picture picture;
-        std::size_t vertices;  // before clipping
+        std::size_t points;  // before clipping
     };
     std::vector<Shot> pictures_;
     std::uint64_t stride_ = 1;

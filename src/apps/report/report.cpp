@@ -73,13 +73,12 @@ void append_numbers(std::string& out, const Run_record& run) {
 
 /// A figure with one picture, and how much of it the window shows.
 void append_picture(std::string& out, const Picture& picture, const Window& window, const std::string& what,
-                    const char* one, const char* many) {
+                    std::string (*counted)(std::size_t, Dots)) {
     std::string caption = what;
     if (caption[0] >= 'a' && caption[0] <= 'z') caption[0] = static_cast<char>(caption[0] - 'a' + 'A');
     if (!window.whole)
-        caption += ": the " + grouped(points_in(window, picture.points)) +
-                   (points_in(window, picture.points) == 1 ? one : many) + " in a window in the middle, of " +
-                   grouped(picture.points.size());
+        caption += ": the " + counted(points_in(window, picture.points), picture.dots) +
+                   " in a window in the middle, of " + grouped(picture.points.size());
     append_figure(out, "", svg_triangulation(picture, window), caption + ".");
 }
 
@@ -110,7 +109,7 @@ void append_pictures(std::string& out, const Report& report) {
     for (const Picture* picture : pictures) {
         const char* const fallback = picture == (report.before ? &*report.before : nullptr) ? "Before" : "After";
         append_picture(out, *picture, window, escaped(picture->caption.empty() ? fallback : picture->caption),
-                       " vertex", " vertices");
+                       counted_dots);
     }
     out += "</div>\n";
 }
@@ -123,7 +122,8 @@ void append_cells(std::string& out, const Report& report) {
     for (const Picture& picture : report.voronoi) pictures.push_back(&picture);
     const Window window = common_window(pictures, most_faces, faces_in_window);
     for (const Picture& picture : report.voronoi)
-        append_picture(out, picture, window, escaped(picture.caption), " cell", " cells");
+        append_picture(out, picture, window, escaped(picture.caption),
+                       [](std::size_t n, Dots) { return grouped(n) + (n == 1 ? " cell" : " cells"); });
     out += "</div>\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/error.h>
 #include <apps/formats/markup.h>
+#include <apps/report/axis_ticks.h>
 #include <apps/report/svg_triangulation.h>
 
 #include <algorithm>
@@ -127,6 +128,12 @@ std::string outlines(const Picture& picture, const Window& window, unsigned char
 
 }  // namespace
 
+std::string counted_dots(std::size_t n, Dots dots) {
+    return grouped(n) + (dots == Dots::vertices ? (n == 1 ? " vertex" : " vertices")
+                         : dots == Dots::images ? (n == 1 ? " vertex or image" : " vertices and images")
+                                                : (n == 1 ? " cut edge" : " cut edges"));
+}
+
 Window window_of(const std::vector<Coordinates<2>>& points, std::size_t most, std::size_t within) {
     Window window;
     if (points.empty()) return window;
@@ -175,10 +182,11 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     std::size_t shown = 0;
     for (std::size_t i = 0; i < at.size(); ++i) {
         if (!inside(window, picture.points[i])) continue;
+        ++shown;
+        if (picture.dots == Dots::crossings) continue;
         dots += 'M';
         append_pair(dots, at[i].x, at[i].y);
         dots += "h0";
-        ++shown;
     }
     // Lines and dots scale with the spacing of the vertices.
     const double spacing = side / std::sqrt(static_cast<double>(std::max<std::size_t>(shown, 1)));
@@ -194,8 +202,9 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     }
     if (!edges.empty() || picture.faces.empty())
         out += "<path class=\"edges\" stroke-width=\"" + line + "\" d=\"" + trails(edges, at) + "\"/>";
-    out += "<path class=\"dots\" stroke-width=\"" + thickness(std::clamp(0.22 * spacing, 20., 130.)) + "\" d=\"" +
-           dots + "\"/>";
+    if (picture.dots != Dots::crossings)
+        out += "<path class=\"dots\" stroke-width=\"" + thickness(std::clamp(0.22 * spacing, 20., 130.)) + "\" d=\"" +
+               dots + "\"/>";
     return out + "</svg>";
 }
 

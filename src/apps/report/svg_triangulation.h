@@ -17,13 +17,20 @@ struct Face {
     std::vector<std::vector<Coordinates<2>>> more{};  ///< its other pieces, and its holes, in the other direction
 };
 
-/// Vertices and edges to draw, already in 2D: of a 3D triangulation a projection or a cut. Faces are below them.
+/// What the points of a picture are: of a periodic box also images of its vertices; of a cut in 3D no vertices, but
+/// where the plane crosses an edge.
+enum class Dots { vertices, images, crossings };
+/// "1 vertex", "229 vertices and images", "220 cut edges".
+[[nodiscard]] std::string counted_dots(std::size_t n, Dots dots);
+
+/// Points and edges to draw, already in 2D: of a 3D triangulation a projection or a cut. Faces are below them.
 struct Picture {
     std::vector<Coordinates<2>> points;
     std::vector<std::array<Index, 2>> edges;
     std::string caption;
     std::vector<Face> faces{};
     Shading shading = Shading::neighbours;  ///< of the faces
+    Dots dots = Dots::vertices;
 };
 
 /// The square that a picture shows.
@@ -42,7 +49,7 @@ struct Window {
 [[nodiscard]] std::size_t points_in(const Window& window, const std::vector<Coordinates<2>>& points);
 
 /// The picture as one SVG element, as large as its container; y goes up. Edges are thin, and vertices are dots when
-/// there are few enough to tell apart. Of faces those with a corner in the window are drawn. Throws
+/// there are few enough to tell apart; crossings are not drawn. Of faces those with a corner in the window are drawn. Throws
 /// Error(unknown_vertex) for an edge that names no point. Linear.
 [[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
 
