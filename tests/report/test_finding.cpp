@@ -107,7 +107,7 @@ TEST_CASE("A page begins with what the run found, and ends with its numbers", "[
     report.drawings.push_back({"", "<svg class=\"gray\"></svg>", "a <b>picture</b>"});
     Picture cells = grid(4);
     cells.caption = "Voronoi cells & more";
-    cells.faces = {{{{0, 0}, {1, 0}, {1, 1}}, 2}, {{{2, 2}, {3, 2}, {3, 3}}, hull_shade}};
+    cells.faces = {{{{0, 0}, {1, 0}, {1, 1}}, 2}, {{{2, 2}, {3, 2}, {3, 3}}, border_shade}};
     report.voronoi = {cells};
     const std::string html = report_html(report);
     CHECK(well_formed(html));

@@ -5,6 +5,7 @@
 usage: test_clip.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import math
+import re
 from fractions import Fraction
 
 import tool
@@ -119,6 +120,33 @@ class Clip(FrameTest):
             elif not row["area"]:
                 self.assertLess(area, 18 ** 2)
         self.assertGreater(same, 20)
+
+    def test_the_page_shows_and_counts_what_is_clipped(self):
+        """Cells are white where the clip takes something of them; all others have the area that they have without."""
+        name = self.xyz_of(wander(2, 3, 150, 6))
+        self.succeed("replay", name, "--voronoi", "--output", "out", "--quiet")
+        without = {row["id"]: row for row in self.table("out", "voronoi.csv") if row["frame"] == "2"}
+        for clip in ("0.25,0.25,0.75,0.75", "polygon:0.2,0.2,0.9,0.3,0.5,0.8",
+                     "half-spaces:-1,0,0.25,0,-1,0.25,1,1,-1.25"):
+            with self.subTest(clip):
+                self.succeed("replay", name, "--clip", clip, "--voronoi", "--output", "out", "--quiet")
+                page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+                drawn = whole = six = 0
+                for row in self.table("out", "voronoi.csv"):
+                    if row["frame"] != "2":
+                        continue
+                    drawn += float(row["area"]) > 0
+                    before = without[row["id"]]["area"]
+                    if before and float(row["area"]) > float(before) * (1 - 1e-9):
+                        whole += 1
+                        six += row["neighbours"] == "6"
+                self.assertGreater(whole, 5)
+                self.assertIn(f"{six} of the {whole} inner", page)
+                self.assertIn("share of the cells that are not cut", page)
+                last = page.split('aria-label="Clipped Voronoi cells, frame 2"')[1].split("</svg>")[0]
+                faces = dict(re.findall(r'class="face n(\d)" stroke-width="\d+" d="([^"]*)"', last))
+                self.assertEqual(sum(d.count("M") for d in faces.values()), drawn)
+                self.assertEqual(faces["5"].count("M"), drawn - whole)
 
     def test_where_it_is_said(self):
         """In the summary, on the page, on the terminal; the cells of .vtu files are clipped, too."""

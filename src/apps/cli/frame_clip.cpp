@@ -4,7 +4,7 @@
 #include <annulus/error.h>
 #include <apps/cli/arguments.h>
 #include <apps/formats/input_error.h>
-#include <apps/motion/domain_2.h>
+#include <apps/motion/cell_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -89,6 +89,25 @@ Voronoi_clip<d> clip_of(const Clip_record& clip) {
         if (error.code() == Error_code::usage) throw;
         refuse(error.what());
     }
+}
+
+Domain_2 domain_of(const Clip_record& record) {
+    std::vector<Coordinates<2>> corners;
+    if (record.kind == "polygon") {
+        for (const auto& row : record.rows) corners.push_back({row[0], row[1]});
+        return Domain_2::polygon(corners);
+    }
+    const auto [low, high, half_spaces] = clip_of<2>(record);
+    corners = {low, {high[0], low[1]}, high, {low[0], high[1]}};
+    Clipper_2 clipper;
+    clipper.start(corners, std::vector<Half_plane_2>{
+                               {{0, -1}, -low[1]}, {{1, 0}, high[0]}, {{0, 1}, high[1]}, {{-1, 0}, -low[0]}});
+    for (const auto& [normal, offset] : half_spaces) clipper.clip({normal, offset});
+    std::vector<Corner_2> cut;
+    clipper.write_corners(cut);
+    corners.clear();
+    for (const Corner_2& corner : cut) corners.push_back(corner.offset);
+    return Domain_2::convex_hull_of(corners);
 }
 
 template Clip_record parse_clip<2>(const std::string&);

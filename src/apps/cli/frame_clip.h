@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/voronoi.h>
+#include <apps/motion/domain_2.h>
 #include <apps/report/run_record.h>
 
 #include <string>
@@ -20,6 +21,9 @@ void check_clip(const std::string& words);
 /// The clip that parse_clip has read. Throws Error(usage) unless it is bounded and has an interior.
 template <int d>
 [[nodiscard]] Voronoi_clip<d> clip_of(const Clip_record& clip);
+
+/// The region of a clip in 2D that clip_of takes. Throws Error for lengths that are not those of a Domain_2.
+[[nodiscard]] Domain_2 domain_of(const Clip_record& clip);
 
 extern template Clip_record parse_clip<2>(const std::string&);
 extern template Clip_record parse_clip<3>(const std::string&);

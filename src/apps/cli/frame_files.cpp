@@ -36,17 +36,18 @@ std::string file_of(std::size_t step) {
     return "frame-" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".vtu";
 }
 
-/// Statistics of the bounded cells.
-Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::vector<Index>& neighbours,
-                                 const std::vector<std::size_t>& vertices) {
+/// Statistics of the bounded cells; neighbours are counted of those that a clip does not cut.
+Frame_record::Voronoi summary_of(const Cell_measures& cells, const std::vector<std::size_t>& vertices) {
     Frame_record::Voronoi out;
     std::vector<double> bounded;
-    double sum = 0, hexagons = 0;
+    double sum = 0, hexagons = 0, whole = 0;
     for (const std::size_t i : vertices) {
-        if (!std::isfinite(volume[i])) continue;
-        bounded.push_back(volume[i]);
-        sum += neighbours[i];
-        hexagons += neighbours[i] == 6 ? 1 : 0;
+        if (!std::isfinite(cells.volume[i])) continue;
+        bounded.push_back(cells.volume[i]);
+        if (!cells.whole.empty() && !cells.whole[i]) continue;
+        ++whole;
+        sum += cells.neighbours[i];
+        hexagons += cells.neighbours[i] == 6 ? 1 : 0;
     }
     out.bounded = bounded.size();
     out.unbounded = vertices.size() - bounded.size();
@@ -60,8 +61,9 @@ Frame_record::Voronoi summary_of(const std::vector<double>& volume, const std::v
     out.volume_low = quantile(0.05);
     out.volume_median = quantile(0.5);
     out.volume_high = quantile(0.95);
-    out.neighbours_mean = sum / n;
-    out.hexagons = hexagons / n;
+    if (whole == 0) return out;
+    out.neighbours_mean = sum / whole;
+    out.hexagons = hexagons / whole;
     return out;
 }
 
@@ -163,7 +165,7 @@ void Frame_files<Moving>::write_voronoi(std::uint64_t number, Frame_record& reco
         text += std::isfinite(cells.volume[i]) ? ",0\n" : ",1\n";
     }
     voronoi_->write(text);
-    record.voronoi = summary_of(cells.volume, cells.neighbours, vertices);
+    record.voronoi = summary_of(cells, vertices);
 }
 
 template <class Moving>

@@ -48,7 +48,12 @@ std::vector<Facet_pair<d>> facet_pairs(const Boxed_mesh<d>& dt) {
 template <int d>
 Frame_measures<d> clipped_measures(const Moving_mesh<d>& dt, const Voronoi_clip<d>& clip) {
     Voronoi_diagram<d> diagram = voronoi(dt, clip);
-    return {{std::move(diagram.volume), voronoi_neighbour_counts<d>(dt.index_bound(), dt.cells())}, pairs_of(diagram)};
+    Cell_measures cells = cell_measures(dt);
+    cells.whole.resize(cells.volume.size());
+    for (std::size_t v = 0; v < cells.volume.size(); ++v)
+        cells.whole[v] = diagram.volume[v] >= (1 - 1e-9) * cells.volume[v];  // of an unbounded cell: never
+    cells.volume = std::move(diagram.volume);
+    return {std::move(cells), pairs_of(diagram)};
 }
 
 template Frame_measures<2> clipped_measures(const Moving_mesh<2>&, const Voronoi_clip<2>&);

@@ -13,6 +13,7 @@ namespace annulus::inline v1::cli {
 struct Cell_measures {
     std::vector<double> volume;     ///< infinite where the cell is unbounded
     std::vector<Index> neighbours;  ///< open: of the triangulation; periodic: with facets that are not exactly empty
+    std::vector<char> whole{};      ///< whether the clip takes nothing of the cell; empty without a clip
 };
 template <int d>
 [[nodiscard]] Cell_measures cell_measures(const Moving_mesh<d>& dt);

@@ -3,6 +3,7 @@
 
 #include <annulus/error.h>
 #include <annulus/voronoi.h>
+#include <apps/cli/frame_clip.h>
 #include <apps/cli/lloyd_scene.h>
 #include <apps/motion/cell_energy.h>
 #include <apps/motion/cell_quality.h>
@@ -160,15 +161,16 @@ Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Den
     return view_in(dt, domain, false, density, std::move(caption));
 }
 
-std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, std::string caption) {
+std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, const std::optional<Clip_record>& clip,
+                                     std::string caption) {
     if (dt.number_of_vertices() == 0) return {};
     std::optional<Domain_2> frame;
     try {
-        frame = around(present(dt));
+        frame = clip ? domain_of(*clip) : around(present(dt));
     } catch (const Error&) {
         return {};
     }
-    return view_in(dt, *frame, true, nullptr, std::move(caption));
+    return view_in(dt, *frame, !clip, nullptr, std::move(caption));
 }
 
 std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* density, std::string caption) {

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace annulus::inline v1::cli {
 
@@ -24,18 +25,21 @@ struct Plane_view {
 /// empty. Precondition: the triangulation is Delaunay. O(n), 4 microseconds a vertex.
 [[nodiscard]] Plane_view plane_view(const Moving_mesh_2& dt, const Region_2& domain, const Density_2* density,
                                     std::string caption);
-/// Unbounded cells are at the border. Cells are cut to a box around the points, for the picture only. Nothing where there is no such box: the points are in one place, or
-/// their distances are not between 1e-100 and 1e100.
-[[nodiscard]] std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, std::string caption);
+/// Without a domain. Cells are cut to the clip, if there is one, and those that it cuts are at the border; else those
+/// that are unbounded, and for the picture all are cut to a box around the points. Nothing where lengths are not
+/// between 1e-100 and 1e100, or the points are in one place.
+[[nodiscard]] std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, const std::optional<Clip_record>& clip,
+                                                   std::string caption);
 /// The cells of the points of a periodic box.
 [[nodiscard]] std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* density,
                                                    std::string caption);
-[[nodiscard]] inline std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, std::string caption) {
-    return plane_view(dt, nullptr, std::move(caption));
+/// A periodic box has no clip, and there is no such view in 3D.
+template <class Moving>
+[[nodiscard]] std::optional<Plane_view> plane_view(const Moving& dt, const std::optional<Clip_record>&,
+                                                   std::string caption) {
+    if constexpr (Moving::dimension_of_space == 2) return plane_view(dt, nullptr, std::move(caption));
+    else return {};
 }
-/// There is no such view in 3D.
-[[nodiscard]] inline std::optional<Plane_view> plane_view(const Moving_mesh_3&, std::string) { return {}; }
-[[nodiscard]] inline std::optional<Plane_view> plane_view(const Boxed_mesh<3>&, std::string) { return {}; }
 
 /// Whether a run measures after iteration i: 1, 2, 3, 5, 7, 10, 20, 30, 50 .., and the last, because a measurement
 /// takes as long as a few iterations.

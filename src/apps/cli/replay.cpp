@@ -111,8 +111,9 @@ class Replay {
     /// Only a Delaunay triangulation in 2D has Voronoi cells to show.
     [[nodiscard]] std::optional<Plane_view> view() const {
         if (!views_) return {};
-        std::string caption = "Voronoi cells, f" + caption_.substr(1);
-        return plane_view(tracker_.triangulation(), std::move(caption));
+        const std::optional<Clip_record>& clip = tracker_.record().clip;
+        std::string caption = (clip ? "Clipped Voronoi cells, f" : "Voronoi cells, f") + caption_.substr(1);
+        return plane_view(tracker_.triangulation(), clip, std::move(caption));
     }
     Frame_files<Moving>* files() { return files_ ? &*files_ : nullptr; }
     void note_frame() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -48,7 +49,8 @@ Plot plot(std::string title, std::string x, std::string y, std::vector<Series> c
 
 }  // namespace
 
-std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run, bool steps) {
+std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run, bool steps,
+                                  std::string note) {
     const auto over_frames = [&](std::string name, auto value) {
         return series(
             std::move(name), frames, [](const Frame_record& f) { return f.number; }, value);
@@ -59,11 +61,12 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     };
     const auto voronoi = [&](std::string name, auto member) {
         return over_frames(std::move(name), [member](const Frame_record& f) {
-            return f.voronoi ? std::optional((*f.voronoi).*member) : std::nullopt;
+            using Value = std::decay_t<decltype(std::optional((*f.voronoi).*member))>;
+            return f.voronoi ? Value((*f.voronoi).*member) : Value();
         });
     };
     using Voronoi = Frame_record::Voronoi;
-    Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, ""};
+    Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, std::move(note)};
     if (steps) {
         motion.panels.push_back(
             plot("How far points go in a step", "step", "displacement (mean spacings)",
@@ -85,14 +88,16 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     motion.panels.push_back(plot("Neighbours that change", "frame", "pairs since the frame before",
                                  {pairs("made", &Pairs::made), pairs("broken", &Pairs::broken)}));
     const char* const volume = run.dimension == 2 ? "area" : "volume";
-    cells.panels.push_back(plot(std::string("The ") + volume + " of bounded cells", "frame", volume,
+    const std::string counted = run.clip ? "cells that are not cut" : "bounded cells";
+    cells.panels.push_back(plot(std::string("The ") + volume + (run.clip ? " of clipped cells" : " of bounded cells"),
+                                "frame", volume,
                                 {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
                                  voronoi("95 %", &Voronoi::volume_high)}));
     if (run.dimension == 2)
-        cells.panels.push_back(plot("Cells with six neighbours", "frame", "share of the bounded cells",
-                                    {voronoi("", &Voronoi::hexagons)}));
+        cells.panels.push_back(
+            plot("Cells with six neighbours", "frame", "share of the " + counted, {voronoi("", &Voronoi::hexagons)}));
     else
-        cells.panels.push_back(plot("Neighbours of a cell", "frame", "mean over the bounded cells",
+        cells.panels.push_back(plot("Neighbours of a cell", "frame", "mean over the " + counted,
                                     {voronoi("", &Voronoi::neighbours_mean)}));
     if (run.input.box.empty() && !run.clip)  // in a periodic box, and where they are clipped, all are bounded
         cells.panels.push_back(plot("Unbounded cells", "frame", "cells", {voronoi("", &Voronoi::unbounded)}));

@@ -14,12 +14,13 @@ struct Frame_record {
     struct Neighbour_pairs {
         std::uint64_t made = 0, broken = 0;
     };
-    /// Voronoi cells that are bounded; the numbers are 0 where there are none.
+    /// Voronoi cells that are bounded; the numbers are 0 where there are none. Neighbours are those of cells that a
+    /// clip does not cut; absent where there are none.
     struct Voronoi {
         std::uint64_t bounded = 0, unbounded = 0;
         double volume_low = 0, volume_median = 0, volume_high = 0;  ///< 5 %, half and 95 % are smaller
-        double neighbours_mean = 0;
-        double hexagons = 0;  ///< share of cells with six neighbours
+        std::optional<double> neighbours_mean{};
+        std::optional<double> hexagons{};  ///< share of cells with six neighbours
     };
 
     std::uint64_t number = 0;
@@ -30,7 +31,8 @@ struct Frame_record {
 
 /// Curves over the frames, of values that are present and not constant; on logarithmic scales where they are positive
 /// and span more than a factor of 30. With `steps` also those of the run's steps: displacements, flips.
+/// `note` stands below the curves of Voronoi cells.
 [[nodiscard]] std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run,
-                                                bool steps);
+                                                bool steps, std::string note = {});
 
 }  // namespace annulus::inline v1

@@ -49,8 +49,8 @@ struct Window {
 [[nodiscard]] std::size_t points_in(const Window& window, const std::vector<Coordinates<2>>& points);
 
 /// The picture as one SVG element, as large as its container; y goes up. Edges are thin, and vertices are dots when
-/// there are few enough to tell apart; crossings are not drawn. Of faces those with a corner in the window are drawn. Throws
-/// Error(unknown_vertex) for an edge that names no point. Linear.
+/// there are few enough to tell apart; crossings are not drawn. Of faces those with a corner in the window are drawn.
+/// Throws Error(unknown_vertex) for an edge that names no point. Linear.
 [[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
 
 }  // namespace annulus::inline v1
