@@ -75,7 +75,7 @@ class Findings(tool.ToolTest):
         self.assertLess(drawn, 3400)
 
     def test_cells_that_the_domain_cuts_are_at_the_border(self):
-        """Of 8 x 8 points, shaken a little: those along the sides and around a hole, not only those on the convex hull."""
+        """Of 8 x 8 points, shaken a little: those along the sides and around a hole, not only those of the hull."""
         dice = random.Random(tool.SEED)
         places = [(x - 3.5 + dice.uniform(-0.05, 0.05), y - 3.5 + dice.uniform(-0.05, 0.05))
                   for x in range(8) for y in range(8)]
@@ -90,6 +90,8 @@ class Findings(tool.ToolTest):
             drawn = [sum(d.count("M") for d in re.findall(rf'class="face n{shade}" stroke-width="\d+" d="([^"]*)"',
                                                           text.split("Voronoi cells before")[1])) for shade in range(6)]
             self.assertEqual(border, drawn[5], domain)
+        text = self.page("lloyd", "--points", 100, "--iterations", 2, "--voronoi")
+        self.assertIn("cells of voronoi.csv, which the domain does not cut", text)
         # Every cell that the circle cuts is white: the others are convex polygons of few corners.
         text = self.page("lloyd", "--points", 100, "--iterations", 20)
         for d in re.findall(r'class="face n[0-4]" stroke-width="\d+" d="([^"]*)"', text):
@@ -97,6 +99,20 @@ class Findings(tool.ToolTest):
                 self.assertLess(len(re.findall(r"-?\d+", outline)) // 2, 14)
         self.assertRegex(text, r'class="face n5"')
         self.assertIn("inner vertices", text)
+
+    def test_all_cuts_of_a_motion_are_across_one_axis(self):
+        """The box is lowest along z at first, then along x."""
+        dice = random.Random(tool.SEED)
+        places = [[dice.random() for _ in range(3)] for _ in range(40)]
+        self.write("m.xyz", "".join("40\n\n" + "".join(f"A {x * s} {y * 2} {z}\n" for x, y, z in places)
+                                    for s in (3, 1.5, 0.5)))
+        text = self.page("replay", "m.xyz")
+        middle = (min(z for _, _, z in places) + max(z for _, _, z in places)) / 2
+        cuts = re.findall(r"<figcaption>Frame (\d), cut at (\w) = ([\d.]+), \d+ cut edges</figcaption>", text)
+        self.assertEqual([cut[:2] for cut in cuts], [("0", "z"), ("1", "z"), ("2", "z")])
+        for cut in cuts:
+            self.assertAlmostEqual(float(cut[2]), middle, delta=1e-3)
+        self.assertNotIn('class="dots"', text)  # a cut shows no vertices
 
     def test_no_line_crosses_a_cell(self):
         """A cell in a polygon that is not convex is made of parts; it is drawn as one."""

@@ -90,7 +90,7 @@ int run(const Lloyd_call& a, const std::string& command) {
             page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
             page.drawings = drawings_of(scene, page.files.back().second);
         }
-        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));
     }

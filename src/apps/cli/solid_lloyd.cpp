@@ -154,7 +154,7 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     if (files) {
         page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"), page.axis);
         if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        page.figures = frame_figures(frames.records(), record, false);
+        page.figures = frame_figures(frames.records(), record, false, uncut_cells);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));
     }
