@@ -17,9 +17,9 @@ namespace annulus::inline v1::cli {
 /// The files that `write_run` writes, for --help.
 inline constexpr const char* run_files = "summary.json, iterations.csv, final.mesh, final.vtu and report.html";
 
-/// Below curves of Voronoi cells on a page of Lloyd iterations in a domain.
+/// Below curves of Voronoi cells on the page of a run in a domain.
 inline constexpr const char* uncut_cells =
-    "These are the cells of voronoi.csv, which the domain does not cut; it cuts those in the pictures.";
+    "These are the cells of voronoi.csv, which the domain does not cut: some reach far out of it.";
 
 /// The content of the files and the page of a run that its tracker does not have.
 template <class Moving>

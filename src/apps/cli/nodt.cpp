@@ -100,7 +100,7 @@ int run(const Nodt_call& a, const std::string& command) {
         optimised.add_to(page, tracker.record(), a.formats);
         page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"), axis);
         page.notes = scene.notes;
-        page.figures = frame_figures(frames.records(), tracker.record(), false);
+        page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));
     }
