@@ -6,8 +6,11 @@
 
 #include <apps/report/finding.h>
 #include <apps/report/report.h>
+#include <apps/report/report_plots.h>
 
 #include <support/catch.h>
+
+#include <cmath>
 
 using namespace annulus;
 using annulus_test::contains;
@@ -30,6 +33,9 @@ Run_record two_steps() {
     run.steps[1].displacement_mean = 0.25;
     run.steps[1].displacement_max = 1;
     run.steps[0].flips = 3;
+    run.steps[0].tested_tolerances = run.steps[1].tested_tolerances = true;
+    run.steps[0].moves = {.asked = 100, .within_tolerance = 60};
+    run.steps[1].moves = {.asked = 100, .within_tolerance = 90};
     return run;
 }
 
@@ -50,11 +56,35 @@ TEST_CASE("A finding says how far points moved, and what that took", "[report]")
     run.moves = {.asked = 200, .rebuilt = 200};
     CHECK(contains(joined(findings(run)), "2 at most. The triangulation was rebuilt in every step."));
     run.moves = {.asked = 200, .within_tolerance = 19, .rebuilt = 100};
-    run.steps[0].moves.rebuilt = 100;
+    run.steps[0].moves = {.asked = 100, .rebuilt = 100};
+    run.steps[1].moves.within_tolerance = 19;
     CHECK(contains(joined(findings(run)),
                    "by 2 at most. 3 flips kept the triangulation Delaunay. It was rebuilt in 1 step.\n"));
     run.steps.clear();
     CHECK(findings(run).empty());
+}
+
+TEST_CASE("Moves are within tolerance or beyond it only where that was tested", "[report]") {
+    Run_record run = two_steps();
+    run.steps[0].tested_tolerances = false;
+    run.steps[0].moves.within_tolerance = 5;  // at rest
+    CHECK(contains(joined(findings(run)),
+                   " 90 % of the moves in the 1 step that tested tolerances stayed within their tolerance: "));
+    const std::vector<Plot> plots = cost_plots(run);
+    REQUIRE(plots.size() == 2);
+    CHECK(plots[0].title == "Moves beyond their tolerance");
+    CHECK(std::isnan(plots[0].series[0].y[0]));
+    CHECK(std::fabs(plots[0].series[0].y[1] - 10) < 1e-9);
+    Report report;
+    report.run = run;
+    CHECK(contains(report_html(report), "Of 2 steps 1 tested tolerances."));
+    CHECK(contains(report_html(report), "that tested tolerances</th><td>1 <small>(50 %)"));
+    report.comparison = Comparison_record{{run, two_steps()}, true, {}};
+    CHECK(contains(report_html(report), ">90 % <small>in 1 step</small></td>"));
+    CHECK(contains(report_html(report), ">75 %</td>"));
+    run.steps[1].tested_tolerances = false;
+    CHECK(!contains(joined(findings(run)), "their tolerance"));
+    CHECK(cost_plots(run).size() == 1);
 }
 
 TEST_CASE("A finding says how cells and triangles have changed", "[report]") {

@@ -52,6 +52,7 @@ Report full_report() {
         step.seconds_cumulative = 0.1 * static_cast<double>(i);
         step.moves.asked = 10;
         step.moves.within_tolerance = 9;
+        step.tested_tolerances = true;
         report.run.steps.push_back(step);
     }
     report.before = grid(4);

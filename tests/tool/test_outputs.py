@@ -86,6 +86,24 @@ class Outputs(ToolTest):
                     a, b = pair.split("/")
                     self.assertAlmostEqual(ratio, total[a] / total[b], delta=1e-6 * ratio)
 
+    def test_the_share_within_tolerance_is_known_only_where_it_was_tested(self):
+        """A step that evaluates all signs, or rebuilds, tests no tolerances."""
+        self.succeed("generate", "walk", "--points", "100", "--steps", "30", "--pace", "0.0001", "--output", "slow.csv")
+        self.succeed("generate", "walk", "--points", "100", "--steps", "30", "--pace", "0.1", "--output", "fast.csv")
+        for file in ("slow.csv", "fast.csv"):
+            for strategy in tool.STRATEGIES:
+                with self.subTest(file=file, strategy=strategy):
+                    self.succeed("replay", file, "--strategy", strategy, "--output", "out", "--quiet", "--force")
+                    page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+                    tested = int(re.search(r"steps that tested tolerances</th><td>(\d+)", page)[1])
+                    self.assertEqual("Moves beyond their tolerance" in page, tested > 0)
+                    if strategy in ("rebuild", "relocate", "relocate-flips", "in-place"):
+                        self.assertEqual(tested, 0)
+                    elif file == "slow.csv":
+                        self.assertGreater(tested, 20)
+                    elif strategy == "auto":
+                        self.assertLess(tested, 5)
+
     def test_one_is_singular(self):
         self.write("one.csv", "frame,id,x,y\n0,1,0.5,0.5\n1,1,0.25,0.5\n")
         said = self.succeed("replay", "one.csv", "--output", "one").stdout

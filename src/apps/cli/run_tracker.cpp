@@ -15,6 +15,23 @@ Moves_record moves_of(const Move_counts& c) {
     return {c.asked, c.within_tolerance, c.kept_in_place, c.flipped, c.reinserted, c.rebuilt};
 }
 
+/// Whether a step tested vertices against their tolerances. Strategies that move whole time steps count how they began;
+/// they count nothing where no vertex left its tolerance.
+bool tests_tolerances(Strategy strategy, const Move_result& step) {
+    const Move_counts& m = step.moves;
+    const Move_statistics& s = step.statistics;
+    if (m.asked == 0 || m.rebuilt == m.asked) return false;
+    switch (strategy) {
+        case Strategy::automatic:
+        case Strategy::tolerances:
+            return s.sign_steps + s.rebuild_steps == 0 && (s.tolerance_steps > 0 || m.within_tolerance == m.asked);
+        case Strategy::tolerances_each: return m.within_tolerance > 0;
+        case Strategy::paper:
+        case Strategy::paper_hybrid: return true;
+        default: return false;
+    }
+}
+
 std::optional<double> mean_of_finite(const std::vector<double>& values, double unit) {
     if (values.empty()) return std::nullopt;
     double sum = 0;
@@ -37,6 +54,7 @@ Run_tracker<Moving>::Run_tracker(std::string name, const std::function<Moving()>
       spacing_(spacing),
       iterations_(iterations),
       audit_every_(audit_every),
+      strategy_(options.strategy),
       measure_(measure) {
     record_.dimension = d;
     record_.strategy = std::move(name);
@@ -89,6 +107,7 @@ void Run_tracker<Moving>::record_step(const Move_result& report, double seconds,
     it.displacement_mean = way.mean / spacing_;
     it.displacement_max = way.max / spacing_;
     it.moves = moves_of(report.moves);
+    it.tested_tolerances = tests_tolerances(strategy_, report);
     it.arithmetic = report.statistics.arithmetic;
     it.certificates_evaluated = report.statistics.evaluated;
     it.flips = report.statistics.flips;

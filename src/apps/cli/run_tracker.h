@@ -108,6 +108,7 @@ class Run_tracker {
     double spacing_;
     std::uint64_t iterations_;
     std::uint64_t audit_every_;
+    Strategy strategy_;
     bool measure_;
     bool keeps_steps_ = true;
     bool cells_changed_ = true;

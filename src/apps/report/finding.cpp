@@ -75,9 +75,12 @@ std::string on_steps(const Run_record& run) {
                        " at most.";
     if (run.moves.asked == 0) return text;
     if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every step.";
-    if (10 * run.moves.within_tolerance >= run.moves.asked)
-        text += " " + percent(run.moves.within_tolerance, run.moves.asked) +
-                " of the moves stayed within their tolerance: nothing had to be computed for them.";
+    if (const Tested_moves tested = tested_moves(run); tested.steps > 0 && 10 * tested.within_tolerance >= tested.asked)
+        text += " " + percent(tested.within_tolerance, tested.asked) +
+                (tested.steps == run.steps.size()
+                     ? " of the moves"
+                     : " of the moves in the " + count_of(tested.steps, "step", "steps") + " that tested tolerances") +
+                " stayed within their tolerance: nothing had to be computed for them.";
     if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
     if (built > 0) text += " It was rebuilt in " + count_of(built, "step", "steps") + ".";
     return text;

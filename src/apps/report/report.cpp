@@ -63,11 +63,12 @@ void append_numbers(std::string& out, const Run_record& run) {
     out += "</table><table>\n";
     const Moves_record& moves = run.moves;
     append_row(out, "moves asked for", grouped(moves.asked));
-    append_row(out, "within tolerance", with_share(moves.within_tolerance, moves.asked));
+    append_row(out, "within tolerance, or at rest", with_share(moves.within_tolerance, moves.asked));
     append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
     append_row(out, "flipped", with_share(moves.flipped, moves.asked));
     append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
     append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
+    append_row(out, "steps that tested tolerances", with_share(tested_moves(run).steps, run.steps.size()));
     out += "</table></div>\n";
 }
 
@@ -144,6 +145,16 @@ void append_drawings(std::string& out, const std::vector<Drawing>& drawings) {
     out += "</div>\n";
 }
 
+/// The share of moves within tolerance in the steps that tested tolerances, and how many these are.
+Table_cell within_tolerance(const Run_record& run) {
+    const Tested_moves tested = tested_moves(run);
+    if (tested.asked == 0) return {"–"};
+    std::string text = percentage(tested.within_tolerance, tested.asked);
+    if (tested.steps < run.steps.size())
+        text += " <small>in " + grouped(tested.steps) + (tested.steps == 1 ? " step" : " steps") + "</small>";
+    return {text, static_cast<double>(tested.within_tolerance) / static_cast<double>(tested.asked)};
+}
+
 void append_comparison(std::string& out, const Comparison_record& comparison) {
     if (!comparison.interrupted)
         out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
@@ -162,14 +173,12 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
     };
     for (const Run_record& run : comparison.runs) {
         const double seconds = run.seconds.triangulation;
-        const auto asked = static_cast<double>(run.moves.asked);
         rows.push_back({escaped(run.strategy),
                         {duration(seconds), seconds},
                         ratio(seconds, fastest->seconds.triangulation),
                         ratio(first.seconds.triangulation, seconds),
                         {duration(run.seconds.construction), run.seconds.construction},
-                        {percentage(run.moves.within_tolerance, run.moves.asked),
-                         static_cast<double>(run.moves.within_tolerance) / asked},
+                        within_tolerance(run),
                         {audit(run.audit), static_cast<double>(run.audit.failed)}});
     }
     append_table(out,
@@ -208,7 +217,13 @@ std::string report_html(const Report& report) {
     append_plots(out, "Convergence", convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
-    append_plots(out, "What a step costs", cost_plots(run), "");
+    const Tested_moves tested = tested_moves(run);
+    append_plots(out, "What a step costs", cost_plots(run),
+                 tested.steps > 0 && tested.steps < run.steps.size()
+                     ? "Of " + grouped(run.steps.size()) + " steps " + grouped(tested.steps) +
+                           " tested tolerances. The others evaluated the signs of all certificates or rebuilt: how "
+                           "many moves were beyond tolerance is unknown there."
+                     : "");
     append_numbers(out, run);
     append_notes(out, report.notes);
     return out + page_foot();

@@ -73,14 +73,13 @@ std::vector<Plot> convergence_plots(const Report& report) {
 std::vector<Plot> cost_plots(const Run_record& run) {
     std::vector<Plot> plots;
     if (run.steps.empty()) return plots;
-    // A strategy without tolerances would show a constant 100 %.
-    if (run.moves.within_tolerance > 0) {
+    if (tested_moves(run).steps > 0) {
         Plot plot{"Moves beyond their tolerance",
                   iteration_axis(Scale::log10),
                   {"moves beyond tolerance (%)", Scale::linear, 0., {}, false},
                   {}};
         plot.series.push_back(over_iterations("", run.steps, [](const Iteration_record& s) -> std::optional<double> {
-            if (s.moves.asked == 0) return std::nullopt;
+            if (!s.tested_tolerances || s.moves.asked == 0) return std::nullopt;
             const double within = static_cast<double>(s.moves.within_tolerance) / static_cast<double>(s.moves.asked);
             return 100 * (1 - within);
         }));

@@ -81,6 +81,9 @@ struct Iteration_record {
     std::optional<double> annulus_width_mean;
     std::optional<double> theta_min;
     Moves_record moves;
+    /// Whether vertices were tested against their tolerances. Where all signs were evaluated, or all was rebuilt,
+    /// `moves.within_tolerance` counts vertices at rest alone, and the share within tolerance is unknown.
+    bool tested_tolerances = false;
     Stage_counts arithmetic;
     std::uint64_t certificates_evaluated = 0;
     std::uint64_t flips = 0;
@@ -128,6 +131,22 @@ struct Run_record {
     std::optional<Plane_step> plane_before;  ///< before the first step
     std::vector<Worst_cell> worst;           ///< the cells with the least dihedral angles at the end
 };
+
+/// The moves of those steps of a run that tested tolerances.
+struct Tested_moves {
+    std::uint64_t steps = 0, asked = 0, within_tolerance = 0;
+};
+
+[[nodiscard]] inline Tested_moves tested_moves(const Run_record& run) {
+    Tested_moves sum;
+    for (const Iteration_record& step : run.steps) {
+        if (!step.tested_tolerances) continue;
+        ++sum.steps;
+        sum.asked += step.moves.asked;
+        sum.within_tolerance += step.moves.within_tolerance;
+    }
+    return sum;
+}
 
 /// The same motion under several strategies, all treated alike.
 struct Comparison_record {
