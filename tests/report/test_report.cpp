@@ -15,11 +15,15 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 using namespace annulus;
 using annulus::testing::for_all;
@@ -247,6 +251,27 @@ TEST_CASE("a linear axis has ticks at steps of one, two or five") {
     const Axis_range none_at_all({"", Scale::linear, 0.}, {0, 0, 0});  // counts
     CHECK(none_at_all.ticks().front().label == "0");
     CHECK(none_at_all.ticks().back().label == "1.0");
+}
+
+TEST_CASE("a logarithmic axis has two labels or more, all different") {
+    const auto check = [](double from, double to) {
+        INFO(from << " to " << to);
+        const Axis_range axis({"x", Scale::log10}, {from, to});
+        std::vector<std::string> labels;
+        for (const Tick& tick : axis.ticks()) {
+            CHECK(axis.place(tick.value) > -1e-6);
+            CHECK(axis.place(tick.value) < 1 + 1e-6);
+            if (!tick.label.empty()) labels.push_back(tick.label);
+        }
+        CHECK(labels.size() >= 2);
+        std::sort(labels.begin(), labels.end());
+        CHECK(std::adjacent_find(labels.begin(), labels.end()) == labels.end());
+    };
+    check(0.057, 0.065);
+    check(0.00713, 0.00761);
+    for (double from = 1e-12; from < 1e12; from *= 1.7)
+        for (const double ratio : {1., 1 + 1e-12, 1.001, 1.04, 1.1, 1.3, 2., 3.3, 9., 20., 99., 101., 1e4, 1e9})
+            check(from, from * ratio);
 }
 
 TEST_CASE("numbers for people do not follow the locale of the host", "[io][report][deep]") {

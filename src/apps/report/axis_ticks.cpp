@@ -32,6 +32,8 @@ std::string in_digits(double value, int decimals) {
     return (value < 0 ? "−" : "") + out;
 }
 
+constexpr double least_ratio = 1.1;  // of the ends of a logarithmic axis: three digits tell its ticks apart
+
 /// The step, 1, 2 or 5 times a power of ten, that divides the range into about five.
 double nice_step(double range) {
     const double rough = range / 5;
@@ -63,6 +65,7 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
         const double centre = lower_;
         lower_ = logarithmic ? centre / 3 : centre - std::max(std::fabs(centre) / 10, 1e-3);
         upper_ = logarithmic ? centre * 3 : centre + std::max(std::fabs(centre) / 10, 1e-3);
+        if (logarithmic && axis.upper && *axis.upper == centre) upper_ = centre;
         if (!logarithmic && axis.lower) {  // for example counts that are all 0
             lower_ = centre;
             upper_ = centre + std::max(std::fabs(centre) / 10, 1.);
@@ -71,6 +74,12 @@ Axis_range::Axis_range(const Axis& axis, const std::vector<double>& values) : sc
     if (!logarithmic) {
         make_linear(axis);
         return;
+    }
+    // Values that differ by less than the digits of a label.
+    if (const double least = std::sqrt(least_ratio); upper_ / lower_ < least_ratio && !axis.tight) {
+        const double centre = std::sqrt(lower_) * std::sqrt(upper_);
+        if (!axis.lower) lower_ = centre / least;
+        if (!axis.upper) upper_ = centre * least;
     }
     // Curves should not run along the frame, except over iterations, which begin exactly at 1.
     const double margin = std::pow(upper_ / lower_, 0.04);
@@ -111,6 +120,14 @@ void Axis_range::make_logarithmic() {
             // An axis over less than two powers needs labels on the ticks between them.
             add(k * power, upper_ / lower_ < 100 && (k == 2 || k == 5) ? readable(k * power) : "");
     }
+    const auto labelled =
+        std::count_if(ticks_.begin(), ticks_.end(), [](const Tick& tick) { return !tick.label.empty(); });
+    if (labelled >= 2) return;
+    // Between two powers there is room for steps as on a linear axis.
+    ticks_.clear();
+    const double step = nice_step(upper_ - lower_);
+    for (double i = std::ceil(lower_ / step - 1e-9); i * step <= upper_ + 1e-9 * step; ++i)
+        add(i * step, readable(i * step));
 }
 
 double Axis_range::place(double value) const {

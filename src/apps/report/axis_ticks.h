@@ -17,7 +17,8 @@ struct Tick {
 /// The range and the ticks of one axis.
 class Axis_range {
   public:
-    /// Covers the values that the axis can show, widened to whole steps (linear) or by a margin (logarithmic).
+    /// Covers the values that the axis can show, widened to whole steps (linear) or by a margin (logarithmic). Two
+    /// ticks or more have labels, except where the given ends of a logarithmic axis are nearly equal.
     Axis_range(const Axis& axis, const std::vector<double>& values);
 
     /// Position of a value, 0 at the lower end and 1 at the upper.
