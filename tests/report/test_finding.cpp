@@ -128,6 +128,21 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     CHECK(findings(comparison).empty());
 }
 
+TEST_CASE("A page of several strategies says of which its steps are", "[report]") {
+    Report report;
+    report.run = two_steps();
+    report.comparison = Comparison_record{{two_steps(), two_steps()}, true, {}};
+    report.comparison->runs[0].strategy = "rebuild";
+    std::string html = report_html(report);
+    for (const char* part : {"<h2>Convergence: auto</h2>", "<h2>What a step costs: auto</h2>",
+                             "<h2>The run in numbers: auto</h2>", ">total time of all strategies<"})
+        CHECK(contains(html, part));
+    report.comparison.reset();
+    html = report_html(report);
+    for (const char* part : {"<h2>Convergence</h2>", "<h2>The run in numbers</h2>", ">total time<"})
+        CHECK(contains(html, part));
+}
+
 TEST_CASE("A page begins with what the run found, and ends with its numbers", "[report]") {
     Report report;
     report.run = two_steps();

@@ -28,8 +28,9 @@ std::string audit(const Audit_record& record) {
                                          : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
 }
 
-void append_numbers(std::string& out, const Run_record& run) {
-    out += "<h2>The run in numbers</h2>\n<div class=\"numbers\"><table>\n";
+/// `of` is ": NAME" where a page is about several strategies, whose processor and memory are shared.
+void append_numbers(std::string& out, const Run_record& run, const std::string& of) {
+    out += "<h2>The run in numbers" + escaped(of) + "</h2>\n<div class=\"numbers\"><table>\n";
     append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
     if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
     for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
@@ -50,8 +51,9 @@ void append_numbers(std::string& out, const Run_record& run) {
     append_row(out, "construction time", duration(run.seconds.construction));
     append_row(out, "triangulation time", duration(run.seconds.triangulation));
     append_row(out, "motion time", duration(run.seconds.motion));
-    append_row(out, "total time", duration(run.seconds.total));
-    append_row(out, "peak memory", memory(run.memory_peak_bytes));
+    const std::string all = of.empty() ? "" : " of all strategies";
+    append_row(out, "total time" + all, duration(run.seconds.total));
+    append_row(out, "peak memory" + all, memory(run.memory_peak_bytes));
     append_row(out, "audits", audit(run.audit));
     if (run.input.box.empty()) {  // in a periodic box they are not counted
         const std::uint64_t decisions = run.arithmetic.total();
@@ -214,17 +216,19 @@ std::string report_html(const Report& report) {
         out, "The mesh", mesh_plots(run),
         "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
-    append_plots(out, "Convergence", convergence_plots(report),
+    // Of several strategies the page shows the steps of the last one.
+    const std::string of = report.comparison && report.comparison->runs.size() > 1 ? ": " + run.strategy : "";
+    append_plots(out, "Convergence" + of, convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
     const Tested_moves tested = tested_moves(run);
-    append_plots(out, "What a step costs", cost_plots(run),
+    append_plots(out, "What a step costs" + of, cost_plots(run),
                  tested.steps > 0 && tested.steps < run.steps.size()
                      ? "Of " + grouped(run.steps.size()) + " steps " + grouped(tested.steps) +
                            " tested tolerances. The others evaluated the signs of all certificates or rebuilt: how "
                            "many moves were beyond tolerance is unknown there."
                      : "");
-    append_numbers(out, run);
+    append_numbers(out, run, of);
     append_notes(out, report.notes);
     return out + page_foot();
 }
