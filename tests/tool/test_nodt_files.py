@@ -125,7 +125,11 @@ class NodtFiles(NodtTest):
         self.assertEqual(summary["mesh"]["after"]["boundary"], alone["mesh"]["after"]["boundary"])
         self.assertEqual(len(self.part()[2]), len(surface))
         self.check_mesh(4 * math.pi / 3, 0.08)
-        self.assertIn("The last step is --finish", (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+        page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+        for part in ("The last step is --finish", " vertices, 8 natural ODT iterations and a finish: auto</h1>",
+                     "After 8 iterations and a finish", "iterations</th><td>8 and a finish</td>"):
+            self.assertIn(part, page)
+        self.assertNotIn("After 9 iterations", page)
         first = self.part()
         self.nodt(*words, "--finish", "--strategy", "rebuild", "--threads", "2")
         self.assertEqual(self.part(), first)

@@ -74,9 +74,14 @@ Vtu_field least_angles(const std::vector<Coordinates<3>>& points, const std::vec
 
 }  // namespace
 
+std::string steps_of(const Run_record& run, const std::string& step) {
+    const std::uint64_t n = run.iterations - (run.finished ? 1 : 0);
+    return grouped(n) + " " + step + (n == 1 ? "" : "s") + (run.finished ? " and a finish" : "");
+}
+
 std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
-    return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") + grouped(run.iterations) + " " +
-           step + (run.iterations == 1 ? ": " : "s: ") + names;
+    return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") + steps_of(run, step) + ": " +
+           names;
 }
 
 template <class Moving>
@@ -129,7 +134,7 @@ void print_summary(const Run_tracker<Moving>& tracker) {
     const auto percent = [&](std::uint64_t n) { return 100.0 * static_cast<double>(n) / asked; };
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
     std::printf("%s, %s, strategy %s, %s tolerances\n", counted_vertices(r.vertices).c_str(),
-                counted(r.iterations, "iteration").c_str(), r.strategy.c_str(), r.tolerance.c_str());
+                steps_of(r, "iteration").c_str(), r.strategy.c_str(), r.tolerance.c_str());
     std::printf("triangulation  %.3f s (%.1f ns a vertex and step), construction %.3f s, motion %.3f s, total %.3f s\n",
                 r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0,
                 r.seconds.construction, r.seconds.motion, r.seconds.total);

@@ -45,6 +45,9 @@ struct Run_page {
 template <class Moving>
 void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tracker, Run_page<Moving> page);
 
+/// "8 iterations and a finish", if `step` is "iteration".
+[[nodiscard]] std::string steps_of(const Run_record& run, const std::string& step);
+
 /// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration".
 [[nodiscard]] std::string title_of(const Run_record& run, const std::string& step, const std::string& names);
 

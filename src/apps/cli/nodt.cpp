@@ -89,6 +89,7 @@ int run(const Nodt_call& a, const std::string& command) {
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
             tracker.add_motion(since(start));
             tracker.mesh_after(measured(mesh, {}));
+            tracker.note_finish();
             if (a.frames.any()) frames.frame(steps);
             scene.notes.push_back(finishing.note());
         }
@@ -98,7 +99,7 @@ int run(const Nodt_call& a, const std::string& command) {
     tracker.finish(command, a.common.seed, since(begin));
     if (files) {
         optimised.add_to(page, tracker.record(), a.formats);
-        page.after = mesh.cut("after " + counted(tracker.record().iterations, "iteration"), axis);
+        page.after = mesh.cut("after " + steps_of(tracker.record(), "iteration"), axis);
         page.notes = scene.notes;
         page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
         page.frames = &frames;

@@ -72,6 +72,8 @@ class Run_tracker {
     }
     /// Sets the cells with the least dihedral angles at the end.
     void worst_cells(std::vector<Worst_cell> cells) { record_.worst = std::move(cells); }
+    /// Sets that the last step was no iteration.
+    void note_finish() { record_.finished = true; }
     /// Adds to the time of the motion in the last step.
     void add_motion(double seconds);
     /// Completes the record at the end of the run.

@@ -41,7 +41,8 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
         append_row(out, "its vector " + std::to_string(i + 1) + " at the end", vector);
     }
     if (run.clip) append_row(out, "Voronoi cells clipped to", escaped(in_words(*run.clip)));
-    append_row(out, "iterations", grouped(run.iterations));
+    append_row(out, "iterations",
+               grouped(run.iterations - (run.finished ? 1 : 0)) + (run.finished ? " and a finish" : ""));
     append_row(out, "strategy", escaped(run.strategy));
     append_row(out, "tolerance", escaped(run.tolerance));
     append_row(out, "threads", grouped(run.threads));

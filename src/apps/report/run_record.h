@@ -116,6 +116,7 @@ struct Run_record {
     std::uint64_t vertices = 0;
     std::uint64_t iterations = 0;
     bool interrupted = false;  ///< before the last requested step
+    bool finished = false;     ///< the last step is no iteration: nodt --finish
     std::string strategy;
     std::string tolerance;
     unsigned threads = 1;
