@@ -198,6 +198,16 @@ TEST_CASE("plots take any values") {
     }));
 }
 
+TEST_CASE("fourteen curves have different styles") {
+    Plot plot{"t", {"x"}, {"y"}, {}};
+    for (int i = 0; i < 14; ++i) plot.series.push_back({"s", {0, 1}, {0, static_cast<double>(i)}, false});
+    const std::string svg = svg_plot(plot);
+    std::set<std::string> styles;
+    for (std::size_t at = 0; (at = svg.find("class=\"curve ", at)) != std::string::npos; ++at)
+        styles.insert(svg.substr(at, svg.find('"', at + 7) - at));
+    CHECK(styles.size() == 14);
+}
+
 TEST_CASE("errors are drawn as bars, within the frame") {
     const Plot plot{"t",
                     {"x"},

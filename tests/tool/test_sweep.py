@@ -268,17 +268,20 @@ class Found(SweepTest):
         for heading in ("What was found", "Distributions in 2D", "Which arithmetic decides in 2D",
                         "Distributions in 3D", "Which arithmetic decides in 3D", "The sweep in numbers"):
             self.assertIn(f"<h2>{heading}</h2>", page)
-        # The rows of each dimension, eight of them, from the first to the last.
+        # The rows of each dimension, seven of them, from the first to the last, in seven styles.
         number = {d: [int(n) for n in re.findall(rf'<th scope="row">(\d+) &nbsp;[^<]*, {d}D, ', page)] for d in (2, 3)}
         shown = [[int(n) for n in some.split()] for some in re.findall(r"these are shown: ([\d ]+);", page)]
-        self.assertEqual([len(some) for some in shown], [8, 8])
+        self.assertEqual([len(some) for some in shown], [7, 7])
+        for plot in re.findall(r'<svg class="plot".*?</svg>', page):
+            styles = re.findall(r'class="curve ([^"]*)"', plot)
+            self.assertEqual(len(styles), len(set(styles)))
         for d, some in zip((2, 3), shown):
             self.assertLess(set(some), set(number[d]))
             self.assertEqual([some[0], some[-1]], [number[d][0], number[d][-1]])
             self.assertIn(f"In {d}D none of ", page)
         # Curves are named by what differs: not by the dimension.
         names = re.findall(r'class="name c\d" x="[^"]*" y="[^"]*" dy=".34em">([^<]*)<', page)
-        self.assertIn("uniform, 60, decimal:3", names)
+        self.assertIn("jittered, 60, decimal:3", names)
         self.assertFalse([name for name in names if "3D" in name or len(name) > 24])
 
 

@@ -17,7 +17,7 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr std::array stage_names{"filter", "interval", "exact"};
-constexpr std::size_t most_curves = 8;
+constexpr std::size_t most_curves = 7;  // as many as there are colours
 
 std::uint64_t count(const Tally& t, const std::string& name) {
     const auto found = t.counts.find(name);

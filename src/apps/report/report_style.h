@@ -72,6 +72,7 @@ stroke-dasharray:none!important}
 .c0{stroke:var(--c0)}.c1{stroke:var(--c1);stroke-dasharray:9 4}.c2{stroke:var(--c2);stroke-dasharray:2 4.5}
 .c3{stroke:var(--c3);stroke-dasharray:11 4 2 4}.c4{stroke:var(--c4);stroke-dasharray:5 3}.c5{stroke:var(--c5)}
 .c6{stroke:var(--c6);stroke-dasharray:14 5}
+.again{stroke-dasharray:13 3 2 3 2 3}
 .plot .name.c0{fill:var(--c0)}.plot .name.c1{fill:var(--c1)}.plot .name.c2{fill:var(--c2)}
 .plot .name.c3{fill:var(--c3)}.plot .name.c4{fill:var(--c4)}.plot .name.c5{fill:var(--c5)}.plot .name.c6{fill:var(--c6)}
 @media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px})css"

@@ -22,6 +22,11 @@ constexpr double letter_width = 8.2;  ///< of bold text at 13 units in a wide fo
 constexpr double number_width = 9.4;  ///< of a digit at 15 units, as in narrow windows
 constexpr std::size_t colours = 7;    ///< classes c0 to c6
 
+/// The classes of the curve with this index: a colour, and from the eighth curve on other dashes.
+std::string style(std::size_t index) {
+    return "c" + std::to_string(index % colours) + (index / colours % 2 == 1 ? " again" : "");
+}
+
 std::string number(double value) {
     char text[400];  // room for any double; independent of the locale
     return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 1).ptr};
@@ -133,7 +138,7 @@ std::optional<Pixel> draw_curve(std::string& out, const Series& series, std::siz
         if (series.steps && i + 1 < series.x.size() && xs.can_show(series.x[i + 1])) add(series.x[i + 1], series.y[i]);
     }
     finish();
-    if (!path.empty()) out += "<path class=\"curve c" + std::to_string(index % colours) + "\" d=\"" + path + "\"/>";
+    if (!path.empty()) out += "<path class=\"curve " + style(index) + "\" d=\"" + path + "\"/>";
     return last;
 }
 

@@ -42,9 +42,9 @@ struct Plot {
 [[nodiscard]] Series histogram_series(std::string name, const Histogram& histogram);
 
 /// The plot as one SVG element, 520 by 360 units, that scales with its container. Colours and fonts come from CSS
-/// classes (see report_style.h), so that the page chooses light or dark. Curves differ by colour, by dashes and by the
-/// names at their ends. Many points are thinned to the resolution of a pixel. All text is escaped. Linear in the
-/// points.
+/// classes (see report_style.h), so that the page chooses light or dark. Up to 14 curves differ by colour or by dashes,
+/// all by the names at their ends. Many points are thinned to the resolution of a pixel. All text is escaped. Linear in
+/// the points.
 [[nodiscard]] std::string svg_plot(const Plot& plot);
 
 }  // namespace annulus::inline v1
