@@ -117,13 +117,30 @@ TEST_CASE("A finding says how the mesh has changed", "[report]") {
 TEST_CASE("A finding names the fastest strategy", "[report]") {
     Comparison_record comparison{{two_steps(), two_steps()}, true, {}};
     CHECK(findings(comparison).empty());  // no time
-    comparison.runs[0].seconds.triangulation = 0.5;
-    comparison.runs[1].seconds.triangulation = 0.125;
+    for (Run_record& run : comparison.runs) run.steps.resize(3);
+    const auto time = [&](std::size_t run, double first, double second, double third) {
+        comparison.runs[run].steps[0].seconds_triangulation = first;
+        comparison.runs[run].steps[1].seconds_triangulation = second;
+        comparison.runs[run].steps[2].seconds_triangulation = third;
+    };
+    time(0, 0.5, 0.625, 0.4);
+    time(1, 0.125, 0.1, 7);  // a pause
     comparison.runs[0].strategy = "rebuild";
-    CHECK(
-        joined(findings(comparison)) ==
-        "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in 2 steps. The slowest, rebuild, "
-        "took 4 times as long.\n");
+    CHECK(joined(findings(comparison)) ==
+          "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in a step by the wall clock, the "
+          "median of 3 steps. The slowest, rebuild, took 4 times as long.\n");
+    Report report;
+    report.comparison = comparison;
+    CHECK(contains(report_html(report), "<td data-key=\"0.125\">125 ms</td><td data-key=\"1\">1×</td>"));
+    time(0, 0.125, 0.1, 0.12505);
+    CHECK(joined(findings(comparison)) ==
+          "The 2 strategies took about as long: 125 ms for keeping the triangulation in a step by the wall clock, the "
+          "median of 3 steps.\n");
+    CHECK(median_step(comparison.runs[0]) == 0.125);
+    comparison.runs[0].steps.pop_back();
+    CHECK(median_step(comparison.runs[0]) == 0.1125);
+    comparison.runs[0].steps.clear();
+    CHECK(median_step(comparison.runs[0]) == 0);
     comparison.interrupted = true;
     CHECK(findings(comparison).empty());
 }

@@ -88,6 +88,15 @@ std::string on_steps(const Run_record& run) {
 
 }  // namespace
 
+double median_step(const Run_record& run) {
+    if (run.steps.empty()) return 0;
+    std::vector<double> seconds;
+    for (const Iteration_record& step : run.steps) seconds.push_back(step.seconds_triangulation);
+    const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+    std::nth_element(seconds.begin(), middle, seconds.end());
+    return seconds.size() % 2 == 1 ? *middle : (*std::max_element(seconds.begin(), middle) + *middle) / 2;
+}
+
 std::vector<std::string> findings(const Run_record& run) {
     if (run.steps.empty()) return {};
     std::vector<std::string> all;
@@ -102,14 +111,17 @@ std::vector<std::string> findings(const Run_record& run) {
 std::vector<std::string> findings(const Comparison_record& comparison) {
     const auto& runs = comparison.runs;
     if (runs.size() < 2 || comparison.interrupted) return {};
-    const auto [fastest, slowest] = std::minmax_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
-        return a.seconds.triangulation < b.seconds.triangulation;
-    });
-    const double least = fastest->seconds.triangulation, most = slowest->seconds.triangulation;
-    if (!(least > 0) || least == most) return {};
-    return {fastest->strategy + " was the fastest of " + std::to_string(runs.size()) + " strategies: " +
-            duration(least) + " for keeping the triangulation in " + count_of(fastest->iterations, "step", "steps") +
-            ". The slowest, " + slowest->strategy + ", took " + readable(most / least) + " times as long."};
+    const auto [fastest, slowest] = std::minmax_element(
+        runs.begin(), runs.end(), [](const auto& a, const auto& b) { return median_step(a) < median_step(b); });
+    const double least = median_step(*fastest), most = median_step(*slowest);
+    if (!(least > 0)) return {};
+    const std::string steps = " by the wall clock, the median of " + count_of(fastest->steps.size(), "step", "steps");
+    if (readable(most / least) == "1")
+        return {"The " + std::to_string(runs.size()) + " strategies took about as long: " + duration(least) +
+                " for keeping the triangulation in a step" + steps + "."};
+    return {fastest->strategy + " was the fastest of " + std::to_string(runs.size()) +
+            " strategies: " + duration(least) + " for keeping the triangulation in a step" + steps + ". The slowest, " +
+            slowest->strategy + ", took " + readable(most / least) + " times as long."};
 }
 
 }  // namespace annulus::inline v1

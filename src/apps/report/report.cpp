@@ -166,28 +166,31 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
     if (comparison.runs.empty()) return;
     append_findings(out, findings(comparison));
     out += "<h2>Strategies compared</h2>\n";
-    const auto fastest = std::min_element(
-        comparison.runs.begin(), comparison.runs.end(),
-        [](const auto& a, const auto& b) { return a.seconds.triangulation < b.seconds.triangulation; });
+    const auto fastest = std::min_element(comparison.runs.begin(), comparison.runs.end(),
+                                          [](const auto& a, const auto& b) { return median_step(a) < median_step(b); });
     const Run_record& first = comparison.runs.front();
     std::vector<Table_row> rows;
     const auto ratio = [](double a, double b) {
         return b > 0 ? Table_cell(readable(a / b) + "×", a / b) : Table_cell("–");
     };
     for (const Run_record& run : comparison.runs) {
-        const double seconds = run.seconds.triangulation;
+        const double seconds = run.seconds.triangulation, median = median_step(run);
         rows.push_back({escaped(run.strategy),
                         {duration(seconds), seconds},
-                        ratio(seconds, fastest->seconds.triangulation),
-                        ratio(first.seconds.triangulation, seconds),
+                        {duration(median), median},
+                        ratio(median, median_step(*fastest)),
+                        ratio(median_step(first), median),
                         {duration(run.seconds.construction), run.seconds.construction},
                         within_tolerance(run),
                         {audit(run.audit), static_cast<double>(run.audit.failed)}});
     }
     append_table(out,
-                 {"strategy", "triangulation", "over fastest", escaped(first.strategy) + " over it", "construction",
-                  "within tolerance", "audits"},
+                 {"strategy", "triangulation", "median step", "over fastest", escaped(first.strategy) + " over it",
+                  "construction", "within tolerance", "audits"},
                  rows, true);
+    out +=
+        "<figcaption>Times are of the wall clock, which counts pauses of the machine, too. Ratios are of the medians "
+        "over the steps, which leave pauses out; compare.json has those of the sums.</figcaption>\n";
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
                  "construction of the first triangulation and its tolerances, summed over the iterations. A curve that "
