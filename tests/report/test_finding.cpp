@@ -58,8 +58,9 @@ TEST_CASE("A finding says how far points moved, and what that took", "[report]")
     run.moves = {.asked = 200, .within_tolerance = 19, .rebuilt = 100};
     run.steps[0].moves = {.asked = 100, .rebuilt = 100};
     run.steps[1].moves.within_tolerance = 19;
-    CHECK(contains(joined(findings(run)),
-                   "by 2 at most. 3 flips kept the triangulation Delaunay. It was rebuilt in 1 step.\n"));
+    CHECK(
+        contains(joined(findings(run)),
+                 "by 2 at most. 3 flips kept the triangulation Delaunay. The triangulation was rebuilt in 1 step.\n"));
     run.steps.clear();
     CHECK(findings(run).empty());
 }
@@ -93,15 +94,29 @@ TEST_CASE("A finding says how cells and triangles have changed", "[report]") {
     CHECK(findings(run).size() == 1);  // not measured at the end
     run.steps[1].plane = Plane_step{60, {0, 8, 45, 7, 0}, 35, 50, 1.5};
     CHECK(findings(run)[0] ==
-          "45 of the 60 inner vertices have six neighbours at the end (75 %; 33.3 % at the start), 8 have five and 7 "
-          "seven. The least angle of a triangle rose from 30 to 50 degrees on average (60 if all are equilateral), and "
+          "45 of the 60 inner vertices have six neighbours at the end (75 %; 33.3 % at the start), 8 five, 7 seven. "
+          "The least angle of a triangle rose from 30 to 50 degrees on average (60 if all are equilateral), and "
           "the energy is 75 % of that at the start.");
     run.plane_before = run.steps[1].plane = Plane_step{};  // three points
     CHECK(findings(run).size() == 1);
     run.plane_before = run.steps[1].plane = Plane_step{1, {0, 0, 1, 0, 0}, 59, 60, {}};
     CHECK(findings(run)[0] ==
-          "1 of the 1 inner vertex has six neighbours at the end (100 %; 100 % at the start), 0 have five and 0 seven. "
+          "The inner vertex has six neighbours at the end (100 % at the start). "
           "The least angle of a triangle stayed at 60 degrees on average (60 if all are equilateral).");
+}
+
+TEST_CASE("A finding says what all vertices have, and names the rare ones", "[report]") {
+    Run_record run = two_steps();
+    run.plane_before = Plane_step{16, {16, 0, 0, 0, 0}, 45, 45, {}};
+    run.steps[1].plane = Plane_step{16, {16, 0, 0, 0, 0}, 45, 45.001, {}};
+    CHECK(findings(run)[0] ==
+          "All 16 inner vertices have four or fewer neighbours at the end (100 % at the start). The least angle of a "
+          "triangle stayed at 45 degrees on average (60 if all are equilateral).");
+    run.steps[1].plane = Plane_step{16, {2, 4, 5, 4, 1}, 45, 44.9, {}};
+    CHECK(findings(run)[0] ==
+          "5 of the 16 inner vertices have six neighbours at the end (31.2 %; 0 % at the start), 4 five, 4 seven, 2 "
+          "four or fewer, 1 eight or more. The least angle of a triangle fell from 45 to 44.9 degrees on average (60 "
+          "if all are equilateral).");
 }
 
 TEST_CASE("A finding says how the mesh has changed", "[report]") {

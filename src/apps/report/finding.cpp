@@ -5,6 +5,8 @@
 #include <apps/report/page.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace annulus::inline v1 {
 
@@ -21,7 +23,7 @@ std::string percent(std::uint64_t part, std::uint64_t all) {
 }
 
 std::string from_to(double before, double after) {
-    return before == after
+    return readable(before) == readable(after)
                ? "stayed at " + readable(after)
                : (after > before ? "rose from " : "fell from ") + readable(before) + " to " + readable(after);
 }
@@ -38,16 +40,31 @@ std::string on_mesh(const Mesh_step& before, const Mesh_step& after) {
            count_of(after.cells, "tetrahedron", "tetrahedra") + ".";
 }
 
+/// A sentence on the Voronoi neighbours of the inner vertices, of which there are some.
+std::string on_neighbours(const Plane_step& before, const Plane_step& after) {
+    static constexpr std::array<const char*, 5> names{"four or fewer", "five", "six", "seven", "eight or more"};
+    const auto& n = after.neighbours;
+    const auto same = static_cast<std::size_t>(std::find(n.begin(), n.end(), after.inner) - n.begin());
+    const std::size_t kind = same < n.size() ? same : 2;
+    const std::string start = before.inner > 0 ? percent(before.neighbours[kind], before.inner) + " at the start" : "";
+    if (kind == same) {
+        const std::string all =
+            after.inner == 1 ? "The inner vertex has " : "All " + grouped(after.inner) + " inner vertices have ";
+        return all + names[kind] + " neighbours at the end" + (start.empty() ? "" : " (" + start + ")") + ". ";
+    }
+    std::string text = grouped(n[2]) + " of the " + grouped(after.inner) + " inner vertices " +
+                       (n[2] == 1 ? "has" : "have") + " six neighbours at the end (" + percent(n[2], after.inner) +
+                       (start.empty() ? "" : "; " + start) + "), " + grouped(n[1]) + " five, " + grouped(n[3]) +
+                       " seven";
+    if (n[0] > 0) text += ", " + grouped(n[0]) + " four or fewer";
+    if (n[4] > 0) text += ", " + grouped(n[4]) + " eight or more";
+    return text + ". ";
+}
+
 /// Sentences on the Voronoi cells and triangles of a 2D triangulation.
 std::string on_plane(const Plane_step& before, const Plane_step& after) {
     std::string text;
-    if (after.inner > 0) {
-        text = grouped(after.neighbours[2]) + " of the " + count_of(after.inner, "inner vertex", "inner vertices") +
-               (after.neighbours[2] == 1 ? " has" : " have") + " six neighbours at the end (" +
-               percent(after.neighbours[2], after.inner);
-        if (before.inner > 0) text += "; " + percent(before.neighbours[2], before.inner) + " at the start";
-        text += "), " + grouped(after.neighbours[1]) + " have five and " + grouped(after.neighbours[3]) + " seven. ";
-    }
+    if (after.inner > 0) text = on_neighbours(before, after);
     if (after.angle_mean > 0)
         text += "The least angle of a triangle " + from_to(before.angle_mean, after.angle_mean) +
                 " degrees on average (60 if all are equilateral)";
@@ -82,7 +99,7 @@ std::string on_steps(const Run_record& run) {
                      : " of the moves in the " + count_of(tested.steps, "step", "steps") + " that tested tolerances") +
                 " stayed within their tolerance: nothing had to be computed for them.";
     if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
-    if (built > 0) text += " It was rebuilt in " + count_of(built, "step", "steps") + ".";
+    if (built > 0) text += " The triangulation was rebuilt in " + count_of(built, "step", "steps") + ".";
     return text;
 }
 

@@ -123,8 +123,11 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
         const auto slower = [](const Benchmark_record& benchmark) {
             return speed_up(benchmark, "relocate-cgal", "rebuild");
         };
-        c.theirs = "CGAL's relocation takes " + range(of_each(plane, slower), times) + " rebuilds in the plane, " +
-                   range(of_each(space, slower), times) + " in space";
+        c.theirs = "CGAL's relocation takes ";
+        if (!plane.empty()) c.theirs += range(of_each(plane, slower), times) + " rebuilds in the plane";
+        if (!plane.empty() && !space.empty()) c.theirs += ", ";
+        if (!space.empty())
+            c.theirs += range(of_each(space, slower), times) + (plane.empty() ? " rebuilds in space" : " in space");
         c.ours = "auto takes " +
                  range(of_each(all, [](const auto& x) { return share(1, speed_up(x, "rebuild", "auto")); }), times) +
                  " rebuilds";

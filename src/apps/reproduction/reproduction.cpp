@@ -8,6 +8,7 @@
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 #include <apps/reproduction/benchmark_statistics.h>
+#include <apps/reproduction/claim_words.h>
 #include <apps/reproduction/claims.h>
 #include <apps/reproduction/figures.h>
 
@@ -109,9 +110,9 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         least_load = std::min(least_load, benchmark.load);
         most_load = std::max(most_load, benchmark.load);
     }
-    out += "<p>" + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) + " runs, " + duration(seconds) +
-           " by the clock; ";
-    out += "load of the machine at the end of each " + readable(least_load) + " to " + readable(most_load) +
+    out += "<p>" + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) +
+           (r.benchmarks.size() == 1 ? " run, " : " runs, ") + duration(seconds) + " by the clock; ";
+    out += "load of the machine at the end of each " + range({least_load, most_load}, readable) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
            "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other "
            "does.</p>\n";
