@@ -56,6 +56,14 @@ class Degeneracy(tool.ToolTest):
         self.assertEqual((result["ridges"]["total"], result["ridges"]["zero"]), (20, 16))
         self.assertEqual(result["tolerance"]["share_unsound"], 0)
         self.assertIsNone(result["standard_annuli"])
+        page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
+        self.assertNotIn('aria-label="Tolerances of vertices"', page)  # all are exactly 0
+        # Half of the bi-cells are 0, the others have one width: a step up to 100 %, on a decade or more.
+        widths = page.split('aria-label="Widths"')[1].split("</svg>")[0]
+        labels = re.findall(r'class="tl m"[^>]*>([^<]+)<', widths)
+        self.assertGreaterEqual(len(labels), 2)
+        shares = [float(s) for s in re.findall(r'class="tl e"[^>]*>([^<]+)<', widths)]
+        self.assertEqual(max(shares), 100)
 
     def test_a_lattice(self):
         result = self.study(self.csv("lattice.csv", LATTICE))

@@ -78,6 +78,7 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale) {
     std::uint64_t total = bins.below + bins.above;
     for (const std::uint64_t n : bins.in) total += n;
     Series s{std::move(name), {}, {}};
+    if (bins.below == total) return s;  // all exactly 0
     std::uint64_t below = bins.below;
     for (std::size_t i = 0; i <= bins.in.size() && total > 0; ++i) {
         if (i > 0) below += bins.in[i - 1];
@@ -178,7 +179,8 @@ void append_widths(std::string& out, const std::vector<Row>& all, const std::str
           std::array{"tolerance.certified", "Certified tolerances of vertices", "tolerance (mean spacings)"},
           std::array{"tolerance.paper_over_exact", "The paper's tolerance over the exact one", "ratio"}}) {
         const bool ratio = std::string_view(x) == "ratio";  // few of them are below 1
-        Plot plot{title, {x, Scale::log10}, {"share below, percent", ratio ? Scale::linear : Scale::log10}, {}};
+        Plot plot{
+            title, {x, Scale::log10}, {"share below, percent", ratio ? Scale::linear : Scale::log10, {}, 100.}, {}};
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const auto found = rows[i].point->tally.histograms.find(name);
             if (found != rows[i].point->tally.histograms.end())
@@ -192,7 +194,8 @@ void append_widths(std::string& out, const std::vector<Row>& all, const std::str
         plots.push_back(std::move(plot));
     }
     std::string caption =
-        "A curve begins where the samples on its scale begin, at the share of what is narrower or exactly 0.";
+        "A curve begins where the samples on its scale begin, at the share of what is narrower or exactly 0; there "
+        "is none where all are exactly 0.";
     if (rows.size() < all.size()) {
         caption += " Of " + std::to_string(all.size()) + " rows of the table these are shown:";
         for (const Row& row : rows) caption += " " + std::to_string(row.number);

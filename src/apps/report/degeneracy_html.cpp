@@ -6,6 +6,8 @@
 #include <apps/report/table.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace annulus::inline v1 {
 
@@ -38,14 +40,30 @@ Series cumulative(std::string name, const Histogram& h) {
     return s;
 }
 
+/// A decade or more, so that samples in one bin are a step and no slope.
+void give_room(Axis& x, const std::vector<Series>& curves) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Series& curve : curves)
+        for (const double value : curve.x) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    if (!(least <= most) || most > 10 * least) return;
+    const double factor = std::sqrt(10);
+    x.lower = least / factor;
+    x.upper = most * factor;
+}
+
 Plot cumulative_plot(std::string title, std::string x,
                      const std::vector<std::pair<std::string, const Distribution*>>& of) {
     Plot plot;
     plot.title = std::move(title);
     plot.x = {std::move(x), Scale::log10};
-    plot.y = {"share below, percent", Scale::log10};
+    plot.y = {"share below, percent", Scale::log10, {}, 100.};
+    // What is all exactly 0 has no place on a logarithmic scale.
     for (const auto& [name, d] : of)
-        if (d->histogram.total() > 0) plot.series.push_back(cumulative(name, d->histogram));
+        if (d->histogram.total() > d->histogram.underflow()) plot.series.push_back(cumulative(name, d->histogram));
+    give_room(plot.x, plot.series);
     return plot;
 }
 
@@ -56,7 +74,8 @@ Plot histogram_plot(std::string title, std::string x, Scale scale,
     plot.x = {std::move(x), scale};
     plot.y = {"share, percent"};
     for (const auto& [name, d] : of)
-        if (d->histogram.total() > 0) plot.series.push_back(histogram_series(name, d->histogram));
+        if (d->histogram.total() > d->histogram.underflow())
+            plot.series.push_back(histogram_series(name, d->histogram));
     return plot;
 }
 
@@ -227,15 +246,17 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     widths.emplace_back(w.ridge, &d.ridges.least.width);
     const std::vector<std::pair<std::string, const Distribution*>> tolerances{{"certified", &d.vertices.certified},
                                                                               {"paper", &d.vertices.paper}};
+    std::vector<Plot> plots{
+        cumulative_plot("Widths", "width (mean spacings)", widths),
+        cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
+        histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
+        histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})};
+    std::erase_if(plots, [](const Plot& plot) { return plot.series.empty(); });
     append_plots(
-        out, "Distributions",
-        {cumulative_plot("Widths", "width (mean spacings)", widths),
-         cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
-         histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
-         histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})},
+        out, "Distributions", plots,
         "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
         "average. A cumulative curve begins where the samples on its scale begin, at the share of what is narrower or "
-        "exactly 0.");
+        "exactly 0; there is none where all are exactly 0.");
     append_quantiles(out, d);
     append_stages(out, d);
     append_numbers(out, r);
