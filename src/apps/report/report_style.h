@@ -34,7 +34,8 @@ th,td{padding:6px 0;border-bottom:1px solid var(--rule);text-align:left;vertical
 .numbers th{color:var(--soft)}.numbers td{text-align:right;white-space:nowrap}
 .wide th,.wide td{padding:6px 9px;text-align:right;white-space:nowrap}
 .wide{font-size:.93rem}
-.wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg)}
+.wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg);white-space:normal;
+min-width:8.5em}
 .wide thead th{color:var(--soft);font-size:.88rem;white-space:normal}
 .wide th:last-child,.wide td:last-child{padding-right:0}
 .claims{min-width:860px;font-size:.93rem}.claims th,.claims td{padding:9px 14px 9px 0;vertical-align:top;width:20%}
