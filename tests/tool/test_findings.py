@@ -32,7 +32,7 @@ class Findings(tool.ToolTest):
                       "angle of a triangle stayed at 45 degrees",
                       self.found("replay", self.lattice("a.xyz", places)))
         box = 'Lattice="6 0 0 0 6 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
-        self.assertIn("All 36 inner vertices have four or fewer neighbours at the end",
+        self.assertIn("All 36 vertices have four or fewer neighbours at the end",
                       self.found("replay", self.lattice("b.xyz", places, box)))
 
     def test_hexagons_have_six(self):
@@ -41,7 +41,7 @@ class Findings(tool.ToolTest):
         angle = math.degrees(2 * math.atan(0.5 / 0.875))
         box = 'Lattice="6 0 0 0 5.25 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
         said = self.found("replay", self.lattice("c.xyz", places, box))
-        self.assertIn("All 36 inner vertices have six neighbours at the end (100 % at the start)", said)
+        self.assertIn("All 36 vertices have six neighbours at the end (100 % at the start)", said)
         self.assertIn(f"stayed at {angle:.1f} degrees on average", said)
         self.assertNotIn("at the border", self.page("replay", "c.xyz"))  # a periodic box has none
         self.assertIn("In 2 steps points moved by", said)

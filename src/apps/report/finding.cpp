@@ -40,8 +40,9 @@ std::string on_mesh(const Mesh_step& before, const Mesh_step& after) {
            count_of(after.cells, "tetrahedron", "tetrahedra") + ".";
 }
 
-/// A sentence on the Voronoi neighbours of the inner vertices, of which there are some.
-std::string on_neighbours(const Plane_step& before, const Plane_step& after) {
+/// A sentence on the Voronoi neighbours of the inner vertices, of which there are some; `periodic`: all are inner.
+std::string on_neighbours(const Plane_step& before, const Plane_step& after, bool periodic) {
+    const std::string inner = periodic ? " " : " inner ";
     static constexpr std::array<const char*, 5> names{"four or fewer", "five", "six", "seven", "eight or more"};
     const auto& n = after.neighbours;
     const auto same = static_cast<std::size_t>(std::find(n.begin(), n.end(), after.inner) - n.begin());
@@ -49,10 +50,10 @@ std::string on_neighbours(const Plane_step& before, const Plane_step& after) {
     const std::string start = before.inner > 0 ? percent(before.neighbours[kind], before.inner) + " at the start" : "";
     if (kind == same) {
         const std::string all =
-            after.inner == 1 ? "The inner vertex has " : "All " + grouped(after.inner) + " inner vertices have ";
+            after.inner == 1 ? "The" + inner + "vertex has " : "All " + grouped(after.inner) + inner + "vertices have ";
         return all + names[kind] + " neighbours at the end" + (start.empty() ? "" : " (" + start + ")") + ". ";
     }
-    std::string text = grouped(n[2]) + " of the " + grouped(after.inner) + " inner vertices " +
+    std::string text = grouped(n[2]) + " of the " + grouped(after.inner) + inner + "vertices " +
                        (n[2] == 1 ? "has" : "have") + " six neighbours at the end (" + percent(n[2], after.inner) +
                        (start.empty() ? "" : "; " + start) + "), " + grouped(n[1]) + " five, " + grouped(n[3]) +
                        " seven";
@@ -62,9 +63,9 @@ std::string on_neighbours(const Plane_step& before, const Plane_step& after) {
 }
 
 /// Sentences on the Voronoi cells and triangles of a 2D triangulation.
-std::string on_plane(const Plane_step& before, const Plane_step& after) {
+std::string on_plane(const Plane_step& before, const Plane_step& after, bool periodic) {
     std::string text;
-    if (after.inner > 0) text = on_neighbours(before, after);
+    if (after.inner > 0) text = on_neighbours(before, after, periodic);
     if (after.angle_mean > 0)
         text += "The least angle of a triangle " + from_to(before.angle_mean, after.angle_mean) +
                 " degrees on average (60 if all are equilateral)";
@@ -119,7 +120,7 @@ std::vector<std::string> findings(const Run_record& run) {
     std::vector<std::string> all;
     const Iteration_record& last = run.steps.back();
     if (run.mesh_before && last.mesh) all.push_back(on_mesh(*run.mesh_before, *last.mesh));
-    if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane));
+    if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane, !run.input.box.empty()));
     std::erase(all, std::string());
     all.push_back(on_steps(run));
     return all;
