@@ -179,8 +179,8 @@ void append_widths(std::string& out, const std::vector<Row>& all, const std::str
           std::array{"tolerance.certified", "Certified tolerances of vertices", "tolerance (mean spacings)"},
           std::array{"tolerance.paper_over_exact", "The paper's tolerance over the exact one", "ratio"}}) {
         const bool ratio = std::string_view(x) == "ratio";  // few of them are below 1
-        Plot plot{
-            title, {x, Scale::log10}, {"share below, percent", ratio ? Scale::linear : Scale::log10, {}, 100.}, {}};
+        Plot plot{title, {x, Scale::log10}, {"share below, percent", Scale::log10, {}, 100.}, {}};
+        if (ratio) plot.y = {"share below, percent", Scale::linear, 0., 100.};
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const auto found = rows[i].point->tally.histograms.find(name);
             if (found != rows[i].point->tally.histograms.end())

@@ -37,6 +37,15 @@ Series cumulative(std::string name, const Histogram& h) {
         s.y.push_back(100 * static_cast<double>(below) / static_cast<double>(h.total()));
         if (below == h.total()) break;
     }
+    const auto filled = [](std::uint64_t n) { return n > 0; };
+    const auto one = std::find_if(h.counts().begin(), h.counts().end(), filled);
+    if (one != h.counts().end() && *one == h.total() - h.underflow()) {  // a step in the middle of the bin
+        const auto i = static_cast<std::size_t>(one - h.counts().begin());
+        const double middle = std::sqrt(edges[i] * edges[i + 1]);
+        const double before = 100 * static_cast<double>(h.underflow()) / static_cast<double>(h.total());
+        s.x = {edges[i], middle, middle, edges[i + 1]};
+        s.y = {before, before, 100, 100};
+    }
     return s;
 }
 
