@@ -65,7 +65,9 @@ class Degeneracy(tool.ToolTest):
         shares = [float(s) for s in re.findall(r'class="tl e"[^>]*>([^<]+)<', widths)]
         self.assertEqual(max(shares), 100)
         curve = re.findall(r"[ML]([\d.]+) ([\d.]+)", re.search(r'class="curve c0" d="([^"]*)"', widths)[1])
-        self.assertEqual([curve[0][1] == curve[1][1], curve[1][0] == curve[2][0], curve[2][1] == curve[3][1]], [True] * 3)
+        self.assertEqual(curve[0][1], curve[1][1])
+        self.assertEqual(curve[1][0], curve[2][0])
+        self.assertEqual(curve[2][1], curve[3][1])
 
     def test_a_lattice(self):
         result = self.study(self.csv("lattice.csv", LATTICE))
