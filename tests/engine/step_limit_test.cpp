@@ -50,18 +50,21 @@ TEMPLATE_TEST_CASE_SIG("No step of auto costs more than one and a half rebuilds 
         std::string_view family, motion;
         double spacings;
         double most = 1.5;
+        std::uint64_t seeds = 3;
     };
     // clang-format off
     const std::vector<Case> in_2d{
         {"slab", "walk", 0.05}, {"slab", "walk", 0.07}, {"clusters", "walk", 0.2}, {"clusters", "walk", 0.001},
-        {"uniform", "few", 0.01}, {"ball", "burst", 0.01}};
+        {"uniform", "few", 0.01}, {"ball", "burst", 0.01}, {"lattice", "shear", 0.003}, {"lattice", "shear", 0.05}};
     const std::vector<Case> in_3d{
-        {"slab", "walk", 0.003}, {"slab", "walk", 0.01}, {"uniform", "walk", 0.03, 1.05}, {"ball", "walk", 0.03},
-        {"clusters", "walk", 0.003}, {"clusters", "walk", 0.01}, {"ball", "few", 0.01}, {"ball", "burst", 0.001}};
+        {"slab", "walk", 0.003}, {"slab", "walk", 0.01, 1.5, 6}, {"slab", "burst", 0.001},
+        {"uniform", "walk", 0.03, 1.05}, {"ball", "walk", 0.03}, {"clusters", "walk", 0.003},
+        {"clusters", "walk", 0.01}, {"clusters", "walk", 0.02}, {"clusters", "walk", 0.03},
+        {"ball", "few", 0.01}, {"ball", "burst", 0.001}};
     // clang-format on
     const std::vector<Case>& cases = d == 2 ? in_2d : in_3d;
-    for (const auto& [family, motion, spacings, limit] : cases)
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    for (const auto& [family, motion, spacings, limit, seeds] : cases)
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             CAPTURE(family, motion, spacings, seed);
             Run<d> run(family, motion, n, spacings, seed);
             double most = 0.0;

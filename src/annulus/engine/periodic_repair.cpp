@@ -80,8 +80,8 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
     const bool calm = signs_.inverted().empty() && signs_.violated().empty();
     if (!calm || change.may_be_of_everything() || !motion_.wrapped().empty()) {
         note_doubted();
-        const double least = Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) +
-                             Cost_model<d>::violated * static_cast<double>(signs_.violated().size());
+        const Repair_estimate least{Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()),
+                                    Cost_model<d>::violated * static_cast<double>(signs_.violated().size())};
         if (Rebuild_policy<d>::expected(least) > budget.left()) return result;
         if (!calm && !flip_until_done(to.lattice)) return result;
         close_gaps();

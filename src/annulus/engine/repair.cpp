@@ -161,7 +161,7 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
     checker_.note_changes();
     const double limit = step.budget.limit;
     if (step.mover == none) {
-        const double estimate = signs_.estimate();
+        const Repair_estimate estimate = signs_.estimate();
         if (step.budget.spent + Rebuild_policy<d>::expected(estimate, later_stages(step), limit) > limit) return false;
         step.budget.limit = std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, limit));
     }

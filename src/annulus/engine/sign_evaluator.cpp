@@ -201,7 +201,7 @@ void Sign_evaluator<d>::test_star(Index v, bool border) {
 }
 
 template <int d>
-double Sign_evaluator<d>::estimate() {
+Repair_estimate Sign_evaluator<d>::estimate() {
     constexpr std::size_t sampled = 64;
     const auto failing = [](const auto& list, auto fails) {
         const std::size_t stride = 1 + list.size() / sampled;
@@ -218,8 +218,8 @@ double Sign_evaluator<d>::estimate() {
         budget_->charge(Cost_model<d>::filter);
         return facet_kind(table_, f) == Facet_kind::empty_sphere && sphere_sign(f) < 0;
     };
-    return Cost_model<d>::inverted * failing(found_.inverted, inverted) +
-           Cost_model<d>::violated * failing(found_.violated, crossed);
+    return {Cost_model<d>::inverted * failing(found_.inverted, inverted),
+            Cost_model<d>::violated * failing(found_.violated, crossed)};
 }
 
 template class Sign_evaluator<2>;

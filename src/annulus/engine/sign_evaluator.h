@@ -3,6 +3,7 @@
 
 #include <annulus/engine/budget.h>
 #include <annulus/engine/cost_model.h>
+#include <annulus/engine/repair_estimate.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/predicate/exact_sign.h>
 #include <annulus/types.h>
@@ -57,9 +58,8 @@ class Sign_evaluator {
     [[nodiscard]] std::vector<Cell_index>& inverted() { return found_.inverted; }  ///< cells
     [[nodiscard]] const std::vector<Cell_index>& inverted() const { return found_.inverted; }
     [[nodiscard]] std::vector<Corner_index>& violated() { return found_.violated; }  ///< facets
-    /// An estimate of the least cost of repairing what is on the lists: the filter stage counts, in a sample, what
-    /// clearly fails.
-    [[nodiscard]] double estimate();
+    /// What is on the lists: the filter stage counts, in a sample, what clearly fails.
+    [[nodiscard]] Repair_estimate estimate();
     /// How many signs each stage decided since begin(), or since the last call of this.
     [[nodiscard]] Stage_counts take_counts() {
         Stage_counts all = std::exchange(decided_, {});
