@@ -3,10 +3,12 @@
 """Runs a small `annulus reproduce` and checks its files. usage: test_reproduce.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import csv
+import html
 import json
 import re
 import signal
 import subprocess
+from pathlib import Path
 
 import tool
 
@@ -81,6 +83,32 @@ class Reproduce(tool.ToolTest):
                 if "paper" not in name:
                     self.assertEqual(strategy["audits_failed"], 0, name)
         self.assertIn("left out", (self.here / "all" / "index.html").read_text(encoding="utf-8"))
+
+    def test_the_committed_result(self):
+        """The table, the JSON and the pages of docs/reproduction have the same claims and verdicts, and each page
+        begins with what was found."""
+        folder = Path(__file__).resolve().parents[2] / "docs/reproduction"
+        with open(folder / "claims.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        claims = json.loads((folder / "reproduction.json").read_text(encoding="utf-8"))["claims"]
+        names = {"claim": "statement"}
+        self.assertEqual(claims, [{names.get(k, k): v for k, v in row.items()} for row in rows])
+        index = (folder / "index.html").read_text(encoding="utf-8")
+        shown = re.findall(r'<tr><th scope="row">(.*?) <small>.*?<span class="\w*">(.*?)</span>', index)
+        self.assertEqual([(html.unescape(a), b) for a, b in shown], [(r["claim"], r["verdict"]) for r in rows])
+        words = {"agrees": "agreed with what was measured here", "differs": "differed from it",
+                 "is wrong": "proved to be wrong", "open": "stayed open"}
+        counts = ", ".join(f"{[r['verdict'] for r in rows].count(v)} {w}" for v, w in words.items())
+        self.assertIn(f'<p class="finding">Of {len(rows)} claims of the paper {counts}.</p>', index)
+        self.assertIn("Verdicts follow from numbers by one rule.", index)
+        for page in sorted(folder.glob("*.html")):
+            with self.subTest(page=page.name):
+                text = page.read_text(encoding="utf-8")
+                begin = text.partition("</h1>\n")[2]
+                self.assertRegex(begin, r'\A(<p class="command">.*</p>\n)?<p class="finding">')
+                here = [(r["claim"], r["verdict"]) for r in rows if r["figure"] == page.stem]
+                found = re.findall(r"<li>(.*?) <strong>(.*?)</strong></li>", text)
+                self.assertEqual([(html.unescape(a), b) for a, b in found], here)
 
     def test_only_and_again(self):
         """A second run with another number of threads gives the same results except times; earlier pages are

@@ -4,6 +4,7 @@
 #include <apps/formats/formatted.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/reproduction/benchmark_statistics.h>
+#include <apps/reproduction/claim_rules.h>
 #include <apps/reproduction/claims.h>
 
 #include <algorithm>
@@ -95,11 +96,6 @@ template <class Value>
     return "Of all moves " +
            range(of_each(benchmarks, [](const auto& x) { return failed_share(x, "paper-printed"); }), percent) +
            " failed, and only these are relocated.";
-}
-[[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }
-/// At least nine tenths of the claim agrees, at least twice the claim is further.
-[[nodiscard]] inline Claim_verdict at_least(double value, double claimed) {
-    return value >= 2 * claimed ? Claim_verdict::further : agree_if(value >= 0.9 * claimed);
 }
 
 }  // namespace annulus::inline v1

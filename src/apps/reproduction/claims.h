@@ -8,7 +8,8 @@
 
 namespace annulus::inline v1 {
 
-/// The verdict on a claim. `further`: more than the paper claims; `open`: it was not run, or not far enough.
+/// The verdict on a claim. `further`: more than the paper claims; `open`: what was measured meets it in part, or it was
+/// not run, or not far enough. The rules are in claim_rules.h.
 enum class Claim_verdict { agrees, further, differs, wrong, open };
 [[nodiscard]] std::string name_of(Claim_verdict verdict);
 
@@ -24,8 +25,8 @@ struct Claim {
     bool of_long_runs = false;                    ///< whether it does not apply to fewer than 1,000 iterations
 };
 
-/// All claims, in the paper's order, whatever was run. A verdict follows from numbers by the rule next to it in the
-/// code; only verdicts on speed depend on a clock.
+/// All claims, in the paper's order, whatever was run. A verdict follows from numbers by claim_rules.h; only verdicts
+/// on speed depend on a clock.
 [[nodiscard]] std::vector<Claim> claims_of(const Reproduction& reproduction);
 
 /// Its parts, which append claims: soundness of tolerances, the cost of relocation, stability of tolerances; Lloyd;

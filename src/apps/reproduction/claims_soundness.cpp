@@ -50,6 +50,35 @@ Rounding rounding_of(const Reproduction& r) {
     return out;
 }
 
+/// Tolerances that are wrong by rounding, and the runs with them.
+void append_rounding(const Reproduction& r, const Audits& audits, std::vector<Claim>& out) {
+    Claim c = claim("unsound", "Tolerances in plain double are wrong in special configurations only.", "seldom");
+    if (const Rounding rounding = rounding_of(r); rounding.bicells > 0) {
+        const double above = part_of(rounding.above, rounding.bicells);
+        c.theirs = percent(above) + " of " + grouped(rounding.bicells) +
+                   " half widths are above the exact ones by rounding alone, by " + readable(rounding.most) +
+                   " of themselves at most";
+        c.ours = "certified: none is above the exact one";
+        c.verdict = within({above, above}, 0, 0.05);
+        c.reason =
+            "Seldom: 5 % at most. To be wrong by rounding is the rule; by how much is beside it, and by much was not "
+            "met.";
+    }
+    out.push_back(c);
+
+    c = claim("unsound", "Runs with such tolerances stay right.", "always");
+    if (audits.theirs > 0) {
+        c.theirs =
+            grouped(audits.theirs_failed) + " of " + grouped(audits.theirs) + " exact audits along the runs failed";
+        c.ours = grouped(audits.ours_failed) + " of " + grouped(audits.ours) + " audits failed";
+        c.verdict = agree_if(audits.theirs_failed == 0);
+        c.reason =
+            "By the audits along these runs. That tolerances are unsound did not matter to them: these motions do not "
+            "move five points against each other as an adversary does.";
+    }
+    out.push_back(c);
+}
+
 }  // namespace
 
 void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
@@ -78,7 +107,7 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
                    grouped(refuted) + " of the " + grouped(audited) + " of them it was shown";
         c.ours = "proved; " + grouped(audits.ours_failed) + " of " + grouped(audits.ours) +
                  " audits of certified runs failed";
-        c.verdict = accepted > 0 ? Claim_verdict::wrong : Claim_verdict::agrees;
+        c.verdict = accepted > 0 ? Claim_verdict::wrong : attacked > 0 ? Claim_verdict::agrees : Claim_verdict::open;
         c.reason =
             "Where the segment between the opposite vertices misses the facet, another partition of the five points "
             "has the thinner annulus.";
@@ -110,30 +139,17 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
                    " of the vertices, later " +
                    range(of_each(space, [](const auto& x) { return last_of(x, above_share); }), percent);
         c.ours = "all four annuli and the cells are looked at";
-        c.verdict = agree_if(most(of_each(space, [](const auto& x) { return first_of(x, above_share); })) < 0.05);
-        c.reason = "Ordinary meshes are full of such bi-cells. At " +
+        auto shares = of_each(space, [](const auto& x) { return first_of(x, above_share); });
+        for (const Benchmark_record* benchmark : space) shares.push_back(last_of(*benchmark, above_share));
+        c.verdict = within(measured(shares), 0, 0.05);
+        c.reason = "Usually: too large at 5 % of the vertices at most. Ordinary meshes are full of such bi-cells. At " +
                    range(of_each(space, [](const auto& x) { return last_of(x, unsound_share); }), percent) +
                    " of the vertices at the end all points of a certificate have too large a tolerance, so that it can "
                    "be made to fail.";
     }
     out.push_back(c);
 
-    c = claim("unsound",
-              "Tolerances in plain double are wrong in special configurations only, and such runs stay right.",
-              "seldom");
-    const Rounding rounding = rounding_of(r);
-    if (audits.theirs > 0 && rounding.bicells > 0) {
-        c.theirs = percent(part_of(rounding.above, rounding.bicells)) + " of " + grouped(rounding.bicells) +
-                   " half widths are above the exact ones by rounding alone, by " + readable(rounding.most) +
-                   " of themselves at most; " + grouped(audits.theirs_failed) + " of " + grouped(audits.theirs) +
-                   " exact audits along the runs failed";
-        c.ours = grouped(audits.ours_failed) + " of " + grouped(audits.ours) + " audits failed";
-        c.verdict = agree_if(audits.theirs_failed == 0 && rounding.most < 1e-6);
-        c.reason =
-            "Wrong by rounding is the rule, wrong by much is not met. No audit failed although tolerances are "
-            "unsound: these motions do not move five points against each other as an adversary does.";
-    }
-    out.push_back(c);
+    append_rounding(r, audits, out);
 }
 
 }  // namespace annulus::inline v1

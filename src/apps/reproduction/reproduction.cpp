@@ -8,6 +8,7 @@
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 #include <apps/reproduction/benchmark_statistics.h>
+#include <apps/reproduction/claim_findings.h>
 #include <apps/reproduction/claim_words.h>
 #include <apps/reproduction/claims.h>
 #include <apps/reproduction/figures.h>
@@ -23,23 +24,9 @@ std::string link(const std::string& file, const std::string& words) {
     return "<a href=\"" + escaped(file) + "\">" + escaped(words) + "</a>";
 }
 
-/// How many claims have which verdict.
-std::string verdicts(const std::vector<Claim>& claims) {
-    std::string text;
-    for (const auto& [verdict, words] : {std::pair{Claim_verdict::agrees, " agreed with what was measured here"},
-                                         {Claim_verdict::further, " fell short of it"},
-                                         {Claim_verdict::differs, " differed from it"},
-                                         {Claim_verdict::wrong, " proved to be wrong"},
-                                         {Claim_verdict::open, " stayed open"}}) {
-        const auto count = std::count_if(claims.begin(), claims.end(),
-                                         [verdict = verdict](const Claim& c) { return c.verdict == verdict; });
-        if (count > 0) text += (text.empty() ? "" : ", ") + grouped(static_cast<std::uint64_t>(count)) + words;
-    }
-    return "Of " + grouped(claims.size()) + " claims of the paper " + text + ".";
-}
-
 std::string page_html(const Page_content& page, const std::vector<Claim>& claims) {
     std::string out = page_head(page.title, "");
+    append_findings(out, findings_of_page(page.name, claims));
     out += "<p>" + link("index.html", "All claims") + "</p>\n<p>" + escaped(page.about) + "</p>\n";
     if (page.sections.empty()) out += "<p class=\"verdict\">Nothing was run for it.</p>\n";
     for (const auto& [heading, panels] : page.sections) {
@@ -100,7 +87,7 @@ std::string claim_table(const std::vector<Claim>& claims) {
 std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
                        const std::vector<Page_content>& pages) {
     std::string out = page_head("Filtering Relocations on a Delaunay Triangulation, reproduced", r.command);
-    append_findings(out, {verdicts(claims)});
+    append_findings(out, {counts_of_verdicts(claims)});
     out +=
         "<p>The figures and claims of the paper of that name by P. M. M. de Castro, J. Tournois, P. Alliez and O. "
         "Devillers (2009), from runs made here: under the paper's algorithm and tolerances, and under ours.</p>\n";
@@ -129,7 +116,8 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         for (const std::string& topic : r.size.only) only += (only.empty() ? "" : ", ") + topic;
         out += "<p class=\"verdict\">Only " + escaped(only) + " was requested.</p>\n";
     }
-    out += "<h2>Claims</h2>\n" + claim_table(claims) + "<h2>Figures</h2>\n<ul>\n";
+    out +=
+        "<h2>Claims</h2>\n<p>" + escaped(claim_rules()) + "</p>\n" + claim_table(claims) + "<h2>Figures</h2>\n<ul>\n";
     for (const Page_content& page : pages)
         out += "<li>" + link(page.name + ".html", page.title) + (page.sections.empty() ? " (not run)" : "") + "</li>\n";
     out += "</ul>\n<p>Numbers: " + link("reproduction.json", "reproduction.json") + ", " +
