@@ -49,18 +49,18 @@ std::string joined(const std::vector<std::string>& lines) {
 
 TEST_CASE("A finding says how far points moved, and what that took", "[report]") {
     Run_record run = two_steps();
-    CHECK(
-        joined(findings(run)) ==
-        "In 2 steps points moved by 0.375 mean spacings a step on average, and by 2 at most. 75 % of the moves stayed "
-        "within their tolerance: nothing had to be computed for them. 3 flips kept the triangulation Delaunay.\n");
+    CHECK(joined(findings(run)) ==
+          "In 2 iterations points moved by 0.375 mean spacings an iteration on average, and by 2 at most. 75 % of the "
+          "moves stayed "
+          "within their tolerance: nothing had to be computed for them. 3 flips kept the triangulation Delaunay.\n");
     run.moves = {.asked = 200, .rebuilt = 200};
-    CHECK(contains(joined(findings(run)), "2 at most. The triangulation was rebuilt in every step."));
+    CHECK(contains(joined(findings(run)), "2 at most. The triangulation was rebuilt in every iteration."));
     run.moves = {.asked = 200, .within_tolerance = 19, .rebuilt = 100};
     run.steps[0].moves = {.asked = 100, .rebuilt = 100};
     run.steps[1].moves.within_tolerance = 19;
-    CHECK(
-        contains(joined(findings(run)),
-                 "by 2 at most. 3 flips kept the triangulation Delaunay. The triangulation was rebuilt in 1 step.\n"));
+    CHECK(contains(
+        joined(findings(run)),
+        "by 2 at most. 3 flips kept the triangulation Delaunay. The triangulation was rebuilt in 1 iteration.\n"));
     run.steps.clear();
     CHECK(findings(run).empty());
 }
@@ -70,7 +70,7 @@ TEST_CASE("Moves are within tolerance or beyond it only where that was tested", 
     run.steps[0].tested_tolerances = false;
     run.steps[0].moves.within_tolerance = 5;  // at rest
     CHECK(contains(joined(findings(run)),
-                   " 90 % of the moves in the 1 step that tested tolerances stayed within their tolerance: "));
+                   " 90 % of the moves in the 1 iteration that tested tolerances stayed within their tolerance: "));
     const std::vector<Plot> plots = cost_plots(run);
     REQUIRE(plots.size() == 2);
     CHECK(plots[0].title == "Moves beyond their tolerance");
@@ -78,10 +78,10 @@ TEST_CASE("Moves are within tolerance or beyond it only where that was tested", 
     CHECK(std::fabs(plots[0].series[0].y[1] - 10) < 1e-9);
     Report report;
     report.run = run;
-    CHECK(contains(report_html(report), "Of 2 steps 1 tested tolerances."));
+    CHECK(contains(report_html(report), "Of 2 iterations 1 tested tolerances."));
     CHECK(contains(report_html(report), "that tested tolerances</th><td>1 <small>(50 %)"));
     report.comparison = Comparison_record{{run, two_steps()}, true, {}};
-    CHECK(contains(report_html(report), ">90 % <small>in 1 step</small></td>"));
+    CHECK(contains(report_html(report), ">90 % <small>in 1 iteration</small></td>"));
     CHECK(contains(report_html(report), ">75 %</td>"));
     run.steps[1].tested_tolerances = false;
     CHECK(!contains(joined(findings(run)), "their tolerance"));
@@ -142,14 +142,16 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     time(1, 0.125, 0.1, 7);  // a pause
     comparison.runs[0].strategy = "rebuild";
     CHECK(joined(findings(comparison)) ==
-          "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in a step by the wall clock, the "
-          "median of 3 steps. The slowest, rebuild, took 4 times as long.\n");
+          "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in an iteration by the wall "
+          "clock, the "
+          "median of 3 iterations. The slowest, rebuild, took 4 times as long.\n");
     Report report;
     report.comparison = comparison;
     CHECK(contains(report_html(report), "<td data-key=\"0.125\">125 ms</td><td data-key=\"1\">1×</td>"));
     time(0, 0.125, 0.1, 0.12505);
     CHECK(joined(findings(comparison)) ==
-          "The 2 strategies took about as long: 125 ms for keeping the triangulation in a step by the wall clock, the "
+          "The 2 strategies took about as long: 125 ms for keeping the triangulation in an iteration by the wall "
+          "clock, the "
           "median of 3 steps.\n");
     CHECK(median_step(comparison.runs[0]) == 0.125);
     comparison.runs[0].steps.pop_back();
@@ -166,7 +168,7 @@ TEST_CASE("A page of several strategies says of which its steps are", "[report]"
     report.comparison = Comparison_record{{two_steps(), two_steps()}, true, {}};
     report.comparison->runs[0].strategy = "rebuild";
     std::string html = report_html(report);
-    for (const char* part : {"<h2>Convergence: auto</h2>", "<h2>What a step costs: auto</h2>",
+    for (const char* part : {"<h2>Convergence: auto</h2>", "<h2>What an iteration costs: auto</h2>",
                              "<h2>The run in numbers: auto</h2>", ">total time of all strategies<"})
         CHECK(contains(html, part));
     report.comparison.reset();
@@ -191,7 +193,7 @@ TEST_CASE("A page begins with what the run found, and ends with its numbers", "[
     const char* const order[] = {
         "class=\"finding\"", "The picture and its dots",         "a <b>picture</b>",      "Voronoi cells by number",
         "class=\"keys\"",    "aria-label=\"Voronoi cells &amp;", "aria-label=\"Energy\"", "<h2>The triangulation",
-        "<h2>Convergence",   "<h2>What a step costs</h2>",       "<h2>The run in numbers"};
+        "<h2>Convergence",   "<h2>What an iteration costs</h2>", "<h2>The run in numbers"};
     std::size_t at = 0;
     for (const char* part : order) {
         INFO(part);
@@ -214,4 +216,40 @@ TEST_CASE("The course of cells and angles needs two measured steps", "[report]")
         CHECK(contains(html, part));
     report.run.steps[0].plane->energy.reset();
     CHECK(!contains(report_html(report), "aria-label=\"Energy\""));  // one value is no curve
+}
+
+TEST_CASE("A replayed motion has frames, and a finish is no iteration", "[report]") {
+    Run_record run = two_steps();
+    run.replayed = true;
+    run.moves.rebuilt = 100;
+    run.steps[0].moves.rebuilt = 100;
+    const std::string said = joined(findings(run));
+    CHECK(contains(said, "In 2 frames after the first points moved by 0.375 mean spacings a frame on average"));
+    CHECK(contains(said, "The triangulation was rebuilt in 1 frame.\n"));
+    CHECK(!contains(said, "iteration"));
+    CHECK(cost_plots(run).back().x.label == "frames after the first");
+    Report report;
+    report.run = run;
+    CHECK(contains(report_html(report), "<th scope=\"row\">frames</th><td>3</td>"));
+    run.replayed = false;
+    run.finished = true;
+    run.steps[0].tested_tolerances = false;
+    CHECK(contains(joined(findings(run)), "In 1 iteration and the finish points moved by"));
+    CHECK(contains(joined(findings(run)), "of the moves in the finish that tested tolerances"));
+    CHECK(cost_plots(run).back().x.label == "iteration");
+}
+
+TEST_CASE("In 3D the volumes of Voronoi cells say how regular points are", "[report]") {
+    Run_record run = two_steps();
+    run.dimension = 3;
+    run.volume_scatter_before = 0.4;
+    CHECK(!contains(joined(findings(run)), "volumes"));
+    run.steps[0].volume_scatter = 0.25;
+    run.steps[1].volume_scatter = 0.125;
+    CHECK(contains(joined(findings(run)),
+                   "The volumes of the Voronoi cells differ from their mean by 12.5 % of it at the end (standard "
+                   "deviation), by 40 % at the start.\n"));
+    const std::vector<Plot> plots = regularity_plots(run);
+    REQUIRE(plots.size() == 1);
+    CHECK(plots[0].series[0].y == std::vector<double>{25, 12.5});
 }

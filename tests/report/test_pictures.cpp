@@ -48,6 +48,8 @@ TEST_CASE("Faces are drawn below edges, one path for each shade", "[report]") {
     CHECK(contains(svg, "class=\"face n3\""));
     CHECK(occurrences(svg, "class=\"face") == 2);
     CHECK(svg.find("class=\"face") < svg.find("class=\"edges"));
+    CHECK(svg.find("class=\"face") < svg.find("class=\"halo"));  // dots are seen on faces of their own colour
+    CHECK(svg.find("class=\"halo") < svg.find("class=\"dots"));
     picture.shading = Shading::angles;
     CHECK(contains(svg_triangulation(picture, window_of(picture.points)), "class=\"face q1\""));
 }
@@ -152,6 +154,7 @@ TEST_CASE("A filled cut covers the section, with the shade of each cell", "[repo
     const Picture cut = cut_picture(cells, inside, x, 2, 0.25, "");
     CHECK(cut.points.size() == 9);  // 4 edges of the cube, 4 diagonals of sides, 1 of the cube
     CHECK(!contains(svg_triangulation(cut, window_of(cut.points)), "class=\"dots\""));
+    CHECK(!contains(svg_triangulation(cut, window_of(cut.points)), "class=\"halo\""));
     Film film;
     film.add(0, cut, true);
     CHECK(contains(film.html(), ", 9 cut edges</figcaption>"));

@@ -11,6 +11,18 @@ import re
 import tool
 
 
+def extents(path):
+    """The least and the largest x and y of outlines: `M` with a corner, `l` with the ways to the others."""
+    corners = []
+    for outline in path.split("M")[1:]:
+        at = [0, 0]
+        numbers = list(map(int, re.findall(r"-?\d+", outline)))
+        for way in zip(numbers[::2], numbers[1::2]):
+            at = [a + b for a, b in zip(at, way)]
+            corners.append(at)
+    return [choose(values) for values in zip(*corners) for choose in (min, max)]
+
+
 class Findings(tool.ToolTest):
     def page(self, *words):
         self.succeed(*words, "--output", "out", "--force", "--quiet")
@@ -44,7 +56,7 @@ class Findings(tool.ToolTest):
         self.assertIn("All 36 vertices have six neighbours at the end (100 % at the start)", said)
         self.assertIn(f"stayed at {angle:.1f} degrees on average", said)
         self.assertNotIn("at the border", self.page("replay", "c.xyz"))  # a periodic box has none
-        self.assertIn("In 2 steps points moved by", said)
+        self.assertIn("In 2 frames after the first points moved by", said)
 
     def test_the_energy_of_a_square_lattice(self):
         """Four points move to the middles of four squares."""
@@ -65,7 +77,8 @@ class Findings(tool.ToolTest):
 
     def test_one_and_two_points(self):
         for places in ([(0, 0)], [(0, 0), (1, 0)], [(0, 0), (1, 0), (2, 0)]):
-            self.assertIn("In 2 steps points moved", self.found("replay", self.lattice("e.xyz", places)))
+            self.assertIn("In 2 frames after the first points moved",
+                          self.found("replay", self.lattice("e.xyz", places)))
 
     def test_of_many_cells_a_window_is_drawn(self):
         text = self.page("lloyd", "--points", 7000, "--iterations", 0)
@@ -114,6 +127,44 @@ class Findings(tool.ToolTest):
             self.assertAlmostEqual(float(cut[2]), middle, delta=1e-3)
         self.assertNotIn('class="dots"', text)  # a cut shows no vertices
 
+    def test_volumes_of_cells_in_a_3d_box(self):
+        """Four bars, two of them broader at the start."""
+        self.write("v.xyz", "".join(f"{x} {y} 0.5\n" for x, y in ((0.3, 0.25), (0.8, 0.25), (0.3, 0.75), (0.8, 0.75))))
+        left = (0.3 + 0.8) / 2
+        start = 100 * abs(left - 0.5) / 0.5
+        words = ["--domain", "box", "--size", "1,1,1", "--input", "v.xyz"]
+        said = self.found("lloyd", *words, "--iterations", 40)
+        self.assertIn(f"at the end (standard deviation), by {start:.3g} % at the start", said)
+
+    def test_without_an_iteration_there_is_one_picture(self):
+        for words in (["--points", 50], ["--points", 50, "--domain", "box", "--size", "1,1,1"],
+                      ["--points", 50, "--box", "1,1"], ["--points", 50, "--box", "1,1,1"]):
+            with self.subTest(words=words):
+                page = self.page("lloyd", *words, "--iterations", 0)
+                self.assertIn("At the start, and at the end: there was no iteration", page)
+                self.assertNotIn("After 0", page)
+                self.assertNotIn(">Before", page)
+
+    def test_cells_are_drawn_in_the_periodic_box(self):
+        """Points that leave the box are images: the picture stays where it was."""
+        places = [(x, y) for x in range(6) for y in range(6)]
+        box = 'Lattice="6 0 0 0 6 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
+        page = self.page("replay", self.lattice("w.xyz", [(x + 60, y) for x, y in places], box))
+        shown = re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', page)
+        self.assertEqual(len(shown), 2)  # of the first and of the last frame: a step of a whole spacing
+        for first, last in zip(extents(shown[0]), extents(shown[1])):
+            self.assertAlmostEqual(first, last, delta=10)  # of 10,000
+
+    def test_cells_outside_of_a_clip_have_no_area_in_its_curves(self):
+        places = [(x, y) for x in range(12) for y in range(12)]
+        page = self.page("replay", self.lattice("k.xyz", places), "--clip", "3.1,3.2,6.3,6.4", "--voronoi")
+        curves = page.partition("The area of cells in the clip")[2].partition("</svg>")[0]
+        bottom = re.search(r'<path class="grid" d="M[\d.]+ ([\d.]+)H', curves)[1]  # the axis
+        shown = re.findall(r'class="curve c\d" d="([^"]*)"', curves)
+        self.assertEqual(len(shown), 3)
+        for curve in shown:
+            self.assertNotIn(" " + bottom, curve)
+
     def test_no_line_crosses_a_cell(self):
         """A cell in a polygon that is not convex is made of parts; it is drawn as one."""
         self.write("l.xyz", "0 0\n4 0\n4 1.5\n1.5 1.5\n1.5 4\n0 4\n\n0.25 0.25\n1 0.25\n1 1\n0.25 1\n")
@@ -125,7 +176,7 @@ class Findings(tool.ToolTest):
         """They need not be Delaunay."""
         text = self.page("lloyd", "--points", 50, "--iterations", 2, "--strategy", "paper", "--tolerance", "floating")
         self.assertNotIn("Voronoi cells", text)
-        self.assertIn("In 2 steps points moved by", text)
+        self.assertIn("In 2 iterations points moved by", text)
 
 
 if __name__ == "__main__":

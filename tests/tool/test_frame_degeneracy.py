@@ -54,6 +54,10 @@ class Degeneracy(tool.ToolTest):
         self.assertGreaterEqual(int(rows[1]["below_1e-2"]), int(rows[1]["below_1e-5"]))
         page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
         self.assertIn("Widths and tolerances", page)
+        bicells = sum(int(r["bicells"]) for r in rows)
+        self.assertIn(f'<p class="finding">25 of the {bicells} bi-cells of 3 frames are exactly degenerate, in 1 of '
+                      "them. The median certified tolerance ", page)
+        self.assertIn("The paper&#39;s tolerance is sound at all vertices.</p>", page)
         lines = self.succeed("degeneracy", self.motion(), "--every", "1").stdout.splitlines()
         self.assertEqual(len(lines), 8)
 

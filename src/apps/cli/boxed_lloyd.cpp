@@ -3,6 +3,7 @@
 
 #include <annulus/error.h>
 #include <apps/cli/boxed_mesh.h>
+#include <apps/cli/end_of_run.h>
 #include <apps/cli/files.h>
 #include <apps/cli/frame_box.h>
 #include <apps/cli/mesh_3.h>
@@ -11,6 +12,7 @@
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
+#include <apps/cli/volume_scatter.h>
 #include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 #include <apps/motion/generated_points.h>
@@ -117,6 +119,12 @@ std::optional<Plane_view> view_of(const Boxed_mesh<2>& dt, std::string caption) 
 }
 std::optional<Plane_view> view_of(const Boxed_mesh<3>&, const std::string&) { return {}; }
 
+/// In 2D the page has a view of the cells.
+template <int d>
+void measure_volumes(Run_tracker<Boxed_mesh<d>>& tracker) {
+    if constexpr (d == 3) tracker.volume_scatter(scatter_of(tracker.triangulation().mesh().voronoi_volumes()));
+}
+
 template <int d>
 int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::string& command) {
     const auto begin = Clock::now();
@@ -136,11 +144,12 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
     const auto view = [&](const std::string& when) {
         return view_of(tracker.triangulation(), "Voronoi cells " + when);
     };
-    if (auto first = files ? view("before") : std::nullopt) {
+    if (auto first = files ? view(iterations > 0 ? "before" : "at the start") : std::nullopt) {
         tracker.plane_before(first->measures);
         page.voronoi.push_back(std::move(first->cells));
     }
-    if (files) page.before = picture_of(tracker.triangulation(), "Before", page.axis);
+    if (files) page.before = picture_of(tracker.triangulation(), at_start(iterations), page.axis);
+    if (files) measure_volumes<d>(tracker);
     Frame_files<Boxed_mesh<d>> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
     std::optional<Interruption_guard> guard;  // with --output, an interrupted run writes its results so far
@@ -149,12 +158,15 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         Progress progress("lloyd", iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
             boxed_step<d>(tracker, id, scene.box);
-            if (files && is_viewed(i, iterations))
+            if (files && is_viewed(i, iterations)) {
                 if (const auto now = view("")) tracker.plane_after(now->measures);
+                measure_volumes<d>(tracker);
+            }
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.4f spacings at most", tracker.record().steps.back().displacement_max));
         }
     }
+    if (files && tracker.record().iterations > 0) measure_volumes<d>(tracker);
     tracker.finish(command, a.common.seed, since(begin));
     tracker.input(boxed_input<d>(scene));
     const Run_record& record = tracker.record();
@@ -163,22 +175,7 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         tracker.plane_after(last->measures);
         page.voronoi.push_back(std::move(last->cells));
     }
-    if (files) {
-        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"), page.axis);
-        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        page.figures = frame_figures(frames.records(), record, false);
-        page.frames = &frames;
-        write_run(a.common, tracker, std::move(page));
-    }
-    if (record.interrupted) {
-        say_interrupted(a.common, record.iterations, iterations);
-        return done;
-    }
-    if (!a.common.quiet) {
-        print_summary(tracker);
-        if (files) std::printf("written to     %s\n", a.common.output.c_str());
-    }
-    return record.audit.failed == 0 ? done : audit_failed;
+    return end_lloyd(a.common, tracker, iterations, scene.merged, frames, "", std::move(page));
 }
 
 /// Throws Error(usage) for what there is with open boundaries only.

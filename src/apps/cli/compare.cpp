@@ -63,7 +63,9 @@ void write_comparison(const Common_arguments& arguments, const Guided_motion<Mov
     report.title = title_of(shown.record(), motion.step_name(), names);
     report.run = shown.record();
     report.before = std::move(before);
-    report.after = motion.picture(shown.triangulation(), "After " + counted(shown.record().iterations, "iteration"));
+    if (const std::uint64_t n = shown.record().iterations; n > 0)
+        report.after = motion.picture(shown.triangulation(),
+                                      motion.replayed() ? "The last frame" : "After " + counted(n, "iteration"));
     report.annulus_widths = shown.widths();
     report.comparison = comparison;
     Result_files out(arguments, is_result, comparison.interrupted);
@@ -109,9 +111,10 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
         const Options options = options_of(variant(tracking, name), common);
         trackers.emplace_back(name, motion.points(), options, motion.spacing(), iterations, tracking.audit,
                               files && name == a.strategies.back());
+        if (motion.replayed()) trackers.back().note_replay();
     }
     std::optional<Picture> before;
-    if (files) before = motion.picture(trackers[0].triangulation(), "Before");
+    if (files) before = motion.picture(trackers[0].triangulation(), motion.replayed() ? "The first frame" : "Before");
 
     // Blocks of consecutive time steps are recorded. Each strategy follows a whole block, so that the other strategies
     // and the motion do not replace its data in the caches between two steps.

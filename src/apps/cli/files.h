@@ -48,8 +48,14 @@ void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tra
 /// "8 iterations and a finish", if `step` is "iteration".
 [[nodiscard]] std::string steps_of(const Run_record& run, const std::string& step);
 
-/// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration".
+/// "500 vertices, 50 Lloyd iterations: NAMES", for the head of a report; `step` is "Lloyd iteration". Of a replayed
+/// motion the frames are counted.
 [[nodiscard]] std::string title_of(const Run_record& run, const std::string& step, const std::string& names);
+
+/// The caption of the picture before the first iteration, of so many: "Before", or "At the start" where there is none.
+[[nodiscard]] inline const char* at_start(std::uint64_t iterations) {
+    return iterations > 0 ? "Before" : "At the start, and at the end: there was no iteration";
+}
 
 /// Prints one line on standard error: how many steps an interrupted run did, of `steps` if that is known, and the
 /// directory with its results.

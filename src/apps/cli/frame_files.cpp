@@ -36,21 +36,26 @@ std::string file_of(std::size_t step) {
     return "frame-" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".vtu";
 }
 
-/// Statistics of the bounded cells; neighbours are counted of those that a clip does not cut.
+/// Statistics of the bounded cells, in a clip of those that reach into it; neighbours are counted of those that it does
+/// not cut.
 Frame_record::Voronoi summary_of(const Cell_measures& cells, const std::vector<std::size_t>& vertices) {
     Frame_record::Voronoi out;
     std::vector<double> bounded;
     double sum = 0, hexagons = 0, whole = 0;
     for (const std::size_t i : vertices) {
-        if (!std::isfinite(cells.volume[i])) continue;
+        if (!std::isfinite(cells.volume[i])) {
+            ++out.unbounded;
+            continue;
+        }
+        const bool clipped = !cells.whole.empty();
+        if (clipped && cells.volume[i] == 0) continue;
         bounded.push_back(cells.volume[i]);
-        if (!cells.whole.empty() && !cells.whole[i]) continue;
+        if (clipped && !cells.whole[i]) continue;
         ++whole;
         sum += cells.neighbours[i];
         hexagons += cells.neighbours[i] == 6 ? 1 : 0;
     }
     out.bounded = bounded.size();
-    out.unbounded = vertices.size() - bounded.size();
     if (bounded.empty()) return out;
     const auto n = static_cast<double>(bounded.size());
     const auto quantile = [&](double share) {

@@ -41,6 +41,8 @@ class Guided_motion {
 
     virtual ~Guided_motion() = default;
     [[nodiscard]] virtual const char* step_name() const = 0;
+    /// Whether the steps are from frame to frame of a file.
+    [[nodiscard]] virtual bool replayed() const { return false; }
     [[nodiscard]] virtual const std::vector<Coordinates<d>>& points() const = 0;
     /// The unit of lengths.
     [[nodiscard]] virtual double spacing() const = 0;
@@ -84,7 +86,8 @@ class Guided_replay final : public Guided_motion<Moving> {
 
     /// Precondition: the frames exist as long as this object.
     explicit Guided_replay(Replayed_frames<d>& frames);
-    [[nodiscard]] const char* step_name() const override { return "step"; }
+    [[nodiscard]] const char* step_name() const override { return "frame"; }
+    [[nodiscard]] bool replayed() const override { return true; }
     [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return x_; }
     [[nodiscard]] double spacing() const override { return frames_.spacing(); }
     bool next(Time_step<d>& t) override;

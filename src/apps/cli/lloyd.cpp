@@ -2,6 +2,7 @@
 #include <apps/cli/box_size.h>
 #include <apps/cli/boxed_lloyd.h>
 #include <apps/cli/commands.h>
+#include <apps/cli/end_of_run.h>
 #include <apps/cli/files.h>
 #include <apps/cli/lloyd_scene.h>
 #include <apps/cli/plane_view.h>
@@ -49,11 +50,11 @@ int run(const Lloyd_call& a, const std::string& command) {
         return plane_view(tracker.triangulation(), scene.domain, &scene.density, "Voronoi cells " + when);
     };
     if (viewed) {
-        Plane_view first = view("before");
+        Plane_view first = view(a.lloyd.iterations > 0 ? "before" : "at the start");
         tracker.plane_before(first.measures);
         page.voronoi.push_back(std::move(first.cells));
     }
-    if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), "Before");
+    if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), at_start(a.lloyd.iterations));
     Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
@@ -83,26 +84,11 @@ int run(const Lloyd_call& a, const std::string& command) {
         tracker.plane_after(last.measures);
         page.voronoi.push_back(std::move(last.cells));
     }
-    if (!a.common.output.empty()) {
-        page.after = picture_of(tracker.triangulation(), "After " + counted(tracker.record().iterations, "iteration"));
-        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        if (scene.stippling) {
-            page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
-            page.drawings = drawings_of(scene, page.files.back().second);
-        }
-        page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
-        page.frames = &frames;
-        write_run(a.common, tracker, std::move(page));
+    if (!a.common.output.empty() && scene.stippling) {
+        page.files.emplace_back("stipples.svg", stipples_of(a.lloyd, scene, tracker.triangulation()));
+        page.drawings = drawings_of(scene, page.files.back().second);
     }
-    if (tracker.record().interrupted) {
-        say_interrupted(a.common, tracker.record().iterations, a.lloyd.iterations);
-        return done;
-    }
-    if (!a.common.quiet) {
-        print_summary(tracker);
-        if (!a.common.output.empty()) std::printf("written to     %s\n", a.common.output.c_str());
-    }
-    return tracker.record().audit.failed == 0 ? done : audit_failed;
+    return end_lloyd(a.common, tracker, a.lloyd.iterations, scene.merged, frames, uncut_cells, std::move(page));
 }
 
 }  // namespace

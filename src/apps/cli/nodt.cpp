@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/companion.h>
 #include <apps/cli/domain_files.h>
+#include <apps/cli/end_of_run.h>
 #include <apps/cli/files.h>
 #include <apps/cli/finishing.h>
 #include <apps/cli/mesh_3.h>
@@ -54,7 +55,7 @@ int run(const Nodt_call& a, const std::string& command) {
     tracker.mesh_before(measured(mesh, {}));
     Run_page<Moving_mesh_3> page{.step = "natural ODT iteration"};
     const std::size_t axis = mesh.shortest_side();
-    if (files) page.before = mesh.cut("before", axis);
+    if (files) page.before = mesh.cut(steps > 0 ? "before" : at_start(0), axis);
     Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
@@ -99,22 +100,14 @@ int run(const Nodt_call& a, const std::string& command) {
     tracker.finish(command, a.common.seed, since(begin));
     if (files) {
         optimised.add_to(page, tracker.record(), a.formats);
-        page.after = mesh.cut("after " + steps_of(tracker.record(), "iteration"), axis);
+        if (tracker.record().iterations > 0)
+            page.after = mesh.cut("after " + steps_of(tracker.record(), "iteration"), axis);
         page.notes = scene.notes;
         page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
         page.frames = &frames;
         write_run(a.common, tracker, std::move(page));
     }
-    if (tracker.record().interrupted) {
-        say_interrupted(a.common, tracker.record().iterations, steps);
-        return done;
-    }
-    if (!a.common.quiet) {
-        print_summary(tracker);
-        print_worst(tracker.record());
-        if (files) std::printf("written to     %s\n", a.common.output.c_str());
-    }
-    return tracker.record().audit.failed == 0 ? done : audit_failed;
+    return end_run(a.common, tracker, steps, [&] { print_worst(tracker.record()); });
 }
 
 }  // namespace

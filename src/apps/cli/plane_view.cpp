@@ -124,6 +124,14 @@ bool is_less(std::span<const Cell_2> parts, const Cell_2& cell) {
     return area < (1 - 1e-9) * area_of(cell);
 }
 
+/// The image of a point in the box of these vectors from the origin.
+Coordinates<2> in_box(const Coordinates<2>& p, const Coordinates<2>& a, const Coordinates<2>& b) {
+    const double area = a[0] * b[1] - a[1] * b[0];
+    const double along_a = std::floor((p[0] * b[1] - p[1] * b[0]) / area),
+                 along_b = std::floor((a[0] * p[1] - a[1] * p[0]) / area);
+    return {p[0] - along_a * a[0] - along_b * b[0], p[1] - along_a * a[1] - along_b * b[1]};
+}
+
 std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
     std::vector<Coordinates<2>> points;
     for (std::size_t i = 0; i < dt.index_bound(); ++i)
@@ -174,8 +182,12 @@ std::optional<Plane_view> plane_view(const Moving_mesh_2& dt, const std::optiona
 }
 
 std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* density, std::string caption) {
-    const std::span<const Coordinates<2>> points = dt.mesh().points();
-    if (points.empty()) return {};
+    const auto& box = dt.mesh().box().vectors();
+    const std::span<const Coordinates<2>> given = dt.mesh().points();
+    if (given.empty()) return {};
+    // The images in the box, so that pictures of two frames show the same part of the plane.
+    std::vector<Coordinates<2>> points(given.begin(), given.end());
+    for (Coordinates<2>& p : points) p = in_box(p, box[0], box[1]);
     const Periodic_neighbours<2> all = dt.mesh().neighbours();
     std::optional<Domain_2> domain;  // larger than any cell
     try {
@@ -183,7 +195,7 @@ std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* d
     } catch (const Error&) {
         return {};
     }
-    View_maker maker({points.begin(), points.end()}, density, std::move(caption));
+    View_maker maker(points, density, std::move(caption));
     Voronoi_cell_2 cell_of(*domain);
     std::vector<Coordinates<2>> vectors, position;
     std::vector<Index> numbers;
@@ -204,13 +216,12 @@ std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* d
         maker.add_cell(points[v], false, static_cast<Index>(vectors.size()), std::span(&cell, 1));
     }
     const Periodic_cells<2> cells = dt.mesh().cells();
-    const auto& box = dt.mesh().box().vectors();
     for (std::size_t c = 0; c < cells.vertices.size(); ++c) {
         std::array<Coordinates<2>, 3> corner{};
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < 2; ++i) {
                 const Shift<2>& shift = cells.offsets[c][k];
-                corner[k][i] = points[static_cast<std::size_t>(cells.vertices[c][k])][i] + shift[0] * box[0][i] +
+                corner[k][i] = given[static_cast<std::size_t>(cells.vertices[c][k])][i] + shift[0] * box[0][i] +
                                shift[1] * box[1][i];
             }
         maker.add_triangle(corner[0], corner[1], corner[2]);

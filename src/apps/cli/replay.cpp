@@ -54,7 +54,8 @@ class Replay {
           views_(films_ && options.tolerance == Tolerance_kind::certified),
           follower_(frames),
           tracker_(first_frame(a, options)),
-          page_{.step = "step"} {
+          page_{.step = "frame"} {
+        tracker_.note_replay();
         if (!films_) tracker_.forget_steps();
         else files_.emplace(a.common, a.frames, tracker_);
         if (files_) files_->write_ids_as(frames.reader().ids());

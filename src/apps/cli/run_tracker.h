@@ -70,6 +70,12 @@ class Run_tracker {
     void plane_after(Plane_step plane) {
         if (!record_.steps.empty()) record_.steps.back().plane = plane;
     }
+    /// Sets how the volumes of Voronoi cells scatter, before the first step or after the last one so far.
+    void volume_scatter(double value) {
+        (record_.steps.empty() ? record_.volume_scatter_before : record_.steps.back().volume_scatter) = value;
+    }
+    /// Sets that the steps are from frame to frame of a file.
+    void note_replay() { record_.replayed = true; }
     /// Sets the cells with the least dihedral angles at the end.
     void worst_cells(std::vector<Worst_cell> cells) { record_.worst = std::move(cells); }
     /// Sets that the last step was no iteration.

@@ -5,12 +5,14 @@
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/voronoi.h>
 #include <apps/cli/box_size.h>
+#include <apps/cli/end_of_run.h>
 #include <apps/cli/files.h>
 #include <apps/cli/mesh_3.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
+#include <apps/cli/volume_scatter.h>
 #include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/read_points.h>
@@ -75,6 +77,7 @@ class Solid_lloyd {
     Displacement step(const Moving_mesh_3& dt, bool cells_changed, std::span<Coordinates<3>> target) {
         const std::span<const Coordinates<3>> position = dt.points();
         const Voronoi_diagram<3> diagram = diagram_of(dt, cells_changed);
+        volume_scatter_ = scatter_of(diagram.volume);
         std::size_t kept = 0;
         for (std::size_t v = 0; v < target.size(); ++v) {
             target[v] = position[v];
@@ -93,6 +96,13 @@ class Solid_lloyd {
         return way;
     }
 
+    /// Of the volumes of the Voronoi cells before the last step.
+    [[nodiscard]] double volume_scatter() const { return volume_scatter_; }
+    /// The same of a triangulation.
+    [[nodiscard]] double volume_scatter(const Moving_mesh_3& dt, bool cells_changed) {
+        return scatter_of(diagram_of(dt, cells_changed).volume);
+    }
+
   private:
     Voronoi_diagram<3> diagram_of(const Moving_mesh_3& dt, bool cells_changed) {
         if (dt.mesh().dimension() != 3) return voronoi(dt, clip_);
@@ -102,6 +112,7 @@ class Solid_lloyd {
 
     Voronoi_clip<3> clip_;
     Kept_cells_3 kept_;
+    double volume_scatter_ = 0;
 };
 
 /// Throws Error(usage) for what there is in 2D only.
@@ -131,7 +142,7 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     if (files) require_writable(a.common);
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), iterations, a.tracking.audit, files);
     Run_page<Moving_mesh_3> page{.step = "Lloyd iteration"};
-    if (files) page.before = picture_of(tracker.triangulation(), "Before", page.axis);
+    if (files) page.before = picture_of(tracker.triangulation(), at_start(iterations), page.axis);
     Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
     Solid_lloyd lloyd(scene.box);
@@ -143,30 +154,17 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
         for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
             const auto start = Clock::now();
             const Displacement way = lloyd.step(tracker.triangulation(), tracker.cells_changed(), target);
-            tracker.step(target, since(start), way.mean, way.max);
+            const double seconds = since(start);
+            tracker.volume_scatter(lloyd.volume_scatter());
+            tracker.step(target, seconds, way.mean, way.max);
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.2f %% within tolerance", 100 * tracker.share_within()));
         }
     }
+    if (files) tracker.volume_scatter(lloyd.volume_scatter(tracker.triangulation(), tracker.cells_changed()));
     tracker.finish(command, a.common.seed, since(begin));
     tracker.input(scene.input);
-    const Run_record& record = tracker.record();
-    if (files) {
-        page.after = picture_of(tracker.triangulation(), "After " + counted(record.iterations, "iteration"), page.axis);
-        if (scene.merged > 0) page.notes.push_back(counted(scene.merged, "duplicate point") + " of the input merged.");
-        page.figures = frame_figures(frames.records(), record, false, uncut_cells);
-        page.frames = &frames;
-        write_run(a.common, tracker, std::move(page));
-    }
-    if (record.interrupted) {
-        say_interrupted(a.common, record.iterations, iterations);
-        return done;
-    }
-    if (!a.common.quiet) {
-        print_summary(tracker);
-        if (files) std::printf("written to     %s\n", a.common.output.c_str());
-    }
-    return record.audit.failed == 0 ? done : audit_failed;
+    return end_lloyd(a.common, tracker, iterations, scene.merged, frames, uncut_cells, std::move(page));
 }
 
 }  // namespace annulus::inline v1::cli

@@ -207,7 +207,7 @@ void append_widths(std::string& out, const std::vector<Row>& all, const std::str
 /// "none", or the number.
 std::string none_or(std::uint64_t n) { return n == 0 ? "none" : grouped(n); }
 
-/// What the experiments of one dimension found.
+/// What the placements of one dimension have.
 std::string finding(int dimension, const Tally& t) {
     const std::uint64_t zero = count(t, "bicells.zero"), narrow = count(t, "bicells.below.1e-9");
     std::string text = "In " + std::to_string(dimension) + "D " + none_or(zero) + " of " +
@@ -239,12 +239,12 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
     append_table(
         out,
-        {"grid point", "experiments", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width",
+        {"grid point", "placements", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width",
          "by intervals", "by integers", "not convex", "paper above exact", "paper unsound", "flat"},
         rows, true);
     out +=
-        "<figcaption>Each row adds the experiments that differ in their seed only. Widths in mean spacings; shares of "
-        "bi-cells, in the last columns of vertices. Flat: experiments whose points do not span the space, of which "
+        "<figcaption>Each row adds the placements that differ in their seed only. Widths in mean spacings; shares of "
+        "bi-cells, in the last columns of vertices. Flat: placements whose points do not span the space, of which "
         "nothing is counted.</figcaption>\n";
     Tally all;
     for (const auto& [dimension, tally] : sum) {
@@ -260,7 +260,9 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
         all += tally;
     }
     out += "<h2>The sweep in numbers</h2>\n<div class=\"numbers\"><table>\n";
-    append_row(out, "experiments", grouped(count(all, "experiments")));
+    append_row(out, "trials", grouped(spec.trials.size()));
+    append_row(out, "placements, of which a trial with a motion or frames has several",
+               grouped(count(all, "experiments")));
     append_row(out, "vertices", grouped(count(all, "vertices")));
     append_row(out, "bi-cells", grouped(count(all, "bicells.total")));
     append_row(out, "seed", std::to_string(spec.seed));

@@ -6,6 +6,7 @@
 #include <apps/report/page.h>
 #include <apps/report/summary.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -31,6 +32,49 @@ Series over_frames(std::string name, const Degeneracy_series& series, Value valu
         s.y.push_back(static_cast<double>(value(*row.numbers)));
     }
     return s;
+}
+
+/// How many bi-cells are degenerate in the frames, where the narrowest annulus is, how tolerances have changed, and
+/// where that of the paper is unsound. Nothing where all frames are flat.
+std::vector<std::string> findings(const Degeneracy_series& series) {
+    std::vector<const Degeneracy_row*> rows;
+    for (const Degeneracy_row& row : series.rows)
+        if (row.numbers) rows.push_back(&row);
+    if (rows.empty()) return {};
+    const auto by = [&](auto value) {
+        return [value](const Degeneracy_row* a, const Degeneracy_row* b) {
+            return value(*a->numbers) < value(*b->numbers);
+        };
+    };
+    using Numbers = Degeneracy_row::Numbers;
+    std::uint64_t bicells = 0, zero = 0, degenerate_frames = 0;
+    for (const Degeneracy_row* row : rows) {
+        bicells += row->numbers->bicells;
+        zero += row->numbers->zero;
+        degenerate_frames += row->numbers->zero > 0 ? 1 : 0;
+    }
+    const std::string frames = grouped(rows.size()) + (rows.size() == 1 ? " frame" : " frames");
+    std::string text = (zero == 0 ? "None" : grouped(zero)) + " of the " + grouped(bicells) + " bi-cells of " + frames +
+                       (zero > 1 ? " are" : " is") + " exactly degenerate";
+    if (zero > 0) text += ", in " + grouped(degenerate_frames) + " of them";
+    if (zero == 0) {
+        const auto narrow = std::min_element(rows.begin(), rows.end(), by([](const Numbers& n) { return n.width[0]; }));
+        text += ": the narrowest annulus is " + readable((*narrow)->numbers->width[0]) +
+                " mean spacings wide, in frame " + grouped((*narrow)->frame);
+    }
+    const double first = rows.front()->numbers->tolerance[2], last = rows.back()->numbers->tolerance[2];
+    text += ". The median certified tolerance ";
+    text += readable(first) == readable(last)
+                ? "is " + readable(last) + " mean spacings in the first frame and the last"
+                : (last > first ? "rose from " : "fell from ") + readable(first) + " to " + readable(last) +
+                      " mean spacings from the first frame to the last";
+    const auto unsound =
+        std::max_element(rows.begin(), rows.end(), by([](const Numbers& n) { return n.paper_unsound; }));
+    const std::uint64_t most = (*unsound)->numbers->paper_unsound;
+    return {text + (most == 0 ? ". The paper's tolerance is sound at all vertices."
+                              : ". The paper's tolerance is unsound at " + grouped(most) +
+                                    (most == 1 ? " vertex" : " vertices") + " at most, in frame " +
+                                    grouped((*unsound)->frame) + ".")};
 }
 
 }  // namespace
@@ -105,6 +149,7 @@ std::string degeneracy_html(const Degeneracy_series& series) {
                                     (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate",
                                 series.command);
     append_warnings(out, series.input.warnings);
+    append_findings(out, findings(series));
     if (!series.input.columns.empty()) out += "<p>" + escaped(listed(series.input.columns)) + ".</p>\n";
     append_plots(out, "Widths and tolerances",
                  {lengths("Widths of bi-cells", &Numbers::width),

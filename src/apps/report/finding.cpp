@@ -77,6 +77,12 @@ std::string on_plane(const Plane_step& before, const Plane_step& after, bool per
     return after.angle_mean > 0 || after.energy ? text + "." : text;
 }
 
+/// A sentence on the volumes of Voronoi cells.
+std::string on_volumes(double before, double after) {
+    return "The volumes of the Voronoi cells differ from their mean by " + readable(100 * after) +
+           " % of it at the end (standard deviation), by " + readable(100 * before) + " % at the start.";
+}
+
 /// A sentence on the steps, and what they took.
 std::string on_steps(const Run_record& run) {
     double sum = 0, most = 0;
@@ -88,19 +94,28 @@ std::string on_steps(const Run_record& run) {
         built += step.moves.rebuilt > 0 ? 1 : 0;
     }
     const auto steps = static_cast<double>(run.steps.size());
-    std::string text = "In " + count_of(run.steps.size(), "step", "steps") + " points moved by " +
-                       readable(sum / steps) + " mean spacings a step on average, and by " + readable(most) +
-                       " at most.";
+    const std::string word = step_word(run), article = word == "iteration" ? "an " : "a ";
+    // Of nodt --finish the last step is no iteration.
+    const auto counted_steps = [&](std::uint64_t n, bool with_last) {
+        if (!run.finished || !with_last) return count_of(n, word.c_str(), (word + "s").c_str());
+        return n == 1 ? "the finish" : count_of(n - 1, word.c_str(), (word + "s").c_str()) + " and the finish";
+    };
+    std::string text = "In " + counted_steps(run.steps.size(), true) + (run.replayed ? " after the first" : "") +
+                       " points moved by " + readable(sum / steps) + " mean spacings " + article + word +
+                       " on average, and by " + readable(most) + " at most.";
     if (run.moves.asked == 0) return text;
-    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every step.";
+    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every " + word + ".";
     if (const Tested_moves tested = tested_moves(run); tested.steps > 0 && 10 * tested.within_tolerance >= tested.asked)
-        text += " " + percent(tested.within_tolerance, tested.asked) +
-                (tested.steps == run.steps.size()
-                     ? " of the moves"
-                     : " of the moves in the " + count_of(tested.steps, "step", "steps") + " that tested tolerances") +
-                " stayed within their tolerance: nothing had to be computed for them.";
+        text +=
+            " " + percent(tested.within_tolerance, tested.asked) +
+            (tested.steps == run.steps.size()
+                 ? " of the moves"
+                 : (run.finished ? " of the moves in " : " of the moves in the ") +
+                       counted_steps(tested.steps, run.steps.back().tested_tolerances) + " that tested tolerances") +
+            " stayed within their tolerance: nothing had to be computed for them.";
     if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
-    if (built > 0) text += " The triangulation was rebuilt in " + count_of(built, "step", "steps") + ".";
+    if (built > 0)
+        text += " The triangulation was rebuilt in " + counted_steps(built, run.steps.back().moves.rebuilt > 0) + ".";
     return text;
 }
 
@@ -121,6 +136,8 @@ std::vector<std::string> findings(const Run_record& run) {
     const Iteration_record& last = run.steps.back();
     if (run.mesh_before && last.mesh) all.push_back(on_mesh(*run.mesh_before, *last.mesh));
     if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane, !run.input.box.empty()));
+    if (run.volume_scatter_before && last.volume_scatter)
+        all.push_back(on_volumes(*run.volume_scatter_before, *last.volume_scatter));
     std::erase(all, std::string());
     all.push_back(on_steps(run));
     return all;
@@ -133,13 +150,15 @@ std::vector<std::string> findings(const Comparison_record& comparison) {
         runs.begin(), runs.end(), [](const auto& a, const auto& b) { return median_step(a) < median_step(b); });
     const double least = median_step(*fastest), most = median_step(*slowest);
     if (!(least > 0)) return {};
-    const std::string steps = " by the wall clock, the median of " + count_of(fastest->steps.size(), "step", "steps");
+    const std::string word = step_word(*fastest), one = word == "iteration" ? "an iteration" : "a frame";
+    const std::string steps = " for keeping the triangulation in " + one + " by the wall clock, the median of " +
+                              count_of(fastest->steps.size(), word.c_str(), (word + "s").c_str());
     if (readable(most / least) == "1")
-        return {"The " + std::to_string(runs.size()) + " strategies took about as long: " + duration(least) +
-                " for keeping the triangulation in a step" + steps + "."};
+        return {"The " + std::to_string(runs.size()) + " strategies took about as long: " + duration(least) + steps +
+                "."};
     return {fastest->strategy + " was the fastest of " + std::to_string(runs.size()) +
-            " strategies: " + duration(least) + " for keeping the triangulation in a step" + steps + ". The slowest, " +
-            slowest->strategy + ", took " + readable(most / least) + " times as long."};
+            " strategies: " + duration(least) + steps + ". The slowest, " + slowest->strategy + ", took " +
+            readable(most / least) + " times as long."};
 }
 
 }  // namespace annulus::inline v1

@@ -66,41 +66,42 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
         });
     };
     using Voronoi = Frame_record::Voronoi;
+    const std::string word = step_word(run);
     Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, std::move(note)};
     if (steps) {
         motion.panels.push_back(
-            plot("How far points go in a step", "step", "displacement (mean spacings)",
+            plot("How far points go in a frame", step_axis_label(run), "displacement (mean spacings)",
                  {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
                   over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
         if (run.moves.rebuilt == 0)  // a rebuild has no flips
-            motion.panels.push_back(plot("Flips", "step", "flips in a step",
+            motion.panels.push_back(plot("Flips", step_axis_label(run), "flips in a frame",
                                          {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }
     if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; }))
-        motion.panels.push_back(plot("Points", "frame", "points",
-                                     {over_frames("", [](const auto& f) { return std::optional(f.points); })}));
+        motion.panels.push_back(
+            plot("Points", word, "points", {over_frames("", [](const auto& f) { return std::optional(f.points); })}));
     const auto pairs = [&](std::string name, auto member) {
         return over_frames(std::move(name), [member](const Frame_record& f) {
             return f.pairs ? std::optional((*f.pairs).*member) : std::nullopt;
         });
     };
     using Pairs = Frame_record::Neighbour_pairs;
-    motion.panels.push_back(plot("Neighbours that change", "frame", "pairs since the frame before",
+    motion.panels.push_back(plot("Neighbours that change", word, "pairs since the " + word + " before",
                                  {pairs("made", &Pairs::made), pairs("broken", &Pairs::broken)}));
     const char* const volume = run.dimension == 2 ? "area" : "volume";
     const std::string counted = run.clip ? "cells that are not cut" : "bounded cells";
-    cells.panels.push_back(plot(std::string("The ") + volume + (run.clip ? " of clipped cells" : " of bounded cells"),
-                                "frame", volume,
-                                {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
-                                 voronoi("95 %", &Voronoi::volume_high)}));
+    cells.panels.push_back(
+        plot(std::string("The ") + volume + (run.clip ? " of cells in the clip" : " of bounded cells"), word, volume,
+             {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
+              voronoi("95 %", &Voronoi::volume_high)}));
     if (run.dimension == 2)
         cells.panels.push_back(
-            plot("Cells with six neighbours", "frame", "share of the " + counted, {voronoi("", &Voronoi::hexagons)}));
+            plot("Cells with six neighbours", word, "share of the " + counted, {voronoi("", &Voronoi::hexagons)}));
     else
-        cells.panels.push_back(plot("Neighbours of a cell", "frame", "mean over the " + counted,
-                                    {voronoi("", &Voronoi::neighbours_mean)}));
+        cells.panels.push_back(
+            plot("Neighbours of a cell", word, "mean over the " + counted, {voronoi("", &Voronoi::neighbours_mean)}));
     if (run.input.box.empty() && !run.clip)  // in a periodic box, and where they are clipped, all are bounded
-        cells.panels.push_back(plot("Unbounded cells", "frame", "cells", {voronoi("", &Voronoi::unbounded)}));
+        cells.panels.push_back(plot("Unbounded cells", word, "cells", {voronoi("", &Voronoi::unbounded)}));
     std::vector<Figure> figures;
     for (Figure* figure : {&motion, &cells}) {
         std::erase_if(figure->panels, [](const Plot& p) { return p.series.empty(); });

@@ -41,8 +41,10 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
         append_row(out, "its vector " + std::to_string(i + 1) + " at the end", vector);
     }
     if (run.clip) append_row(out, "Voronoi cells clipped to", escaped(in_words(*run.clip)));
-    append_row(out, "iterations",
-               grouped(run.iterations - (run.finished ? 1 : 0)) + (run.finished ? " and a finish" : ""));
+    if (run.replayed) append_row(out, "frames", grouped(run.iterations + 1));
+    else
+        append_row(out, "iterations",
+                   grouped(run.iterations - (run.finished ? 1 : 0)) + (run.finished ? " and a finish" : ""));
     append_row(out, "strategy", escaped(run.strategy));
     append_row(out, "tolerance", escaped(run.tolerance));
     append_row(out, "threads", grouped(run.threads));
@@ -71,7 +73,8 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     append_row(out, "flipped", with_share(moves.flipped, moves.asked));
     append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
     append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
-    append_row(out, "steps that tested tolerances", with_share(tested_moves(run).steps, run.steps.size()));
+    append_row(out, std::string(step_word(run)) + (run.finished ? "s, or finish," : "s") + " that tested tolerances",
+               with_share(tested_moves(run).steps, run.steps.size()));
     out += "</table></div>\n";
 }
 
@@ -132,6 +135,7 @@ void append_cells(std::string& out, const Report& report) {
 }
 
 std::string plane_caption(const Run_record& run) {
+    if (!run.plane_before) return "The cells of Lloyd's iterations: where all volumes are equal, the deviation is 0.";
     return std::string(run.input.box.empty()
                            ? "Inner vertices have Voronoi cells that the border does not cut; how many neighbours they "
                              "have is counted. "
@@ -154,7 +158,8 @@ Table_cell within_tolerance(const Run_record& run) {
     if (tested.asked == 0) return {"–"};
     std::string text = percentage(tested.within_tolerance, tested.asked);
     if (tested.steps < run.steps.size())
-        text += " <small>in " + grouped(tested.steps) + (tested.steps == 1 ? " step" : " steps") + "</small>";
+        text +=
+            " <small>in " + grouped(tested.steps) + " " + step_word(run) + (tested.steps == 1 ? "" : "s") + "</small>";
     return {text, static_cast<double>(tested.within_tolerance) / static_cast<double>(tested.asked)};
 }
 
@@ -185,15 +190,16 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                         {audit(run.audit), static_cast<double>(run.audit.failed)}});
     }
     append_table(out,
-                 {"strategy", "triangulation", "median step", "over fastest", escaped(first.strategy) + " over it",
-                  "construction", "within tolerance", "audits"},
+                 {"strategy", "triangulation", std::string("median ") + step_word(first), "over fastest",
+                  escaped(first.strategy) + " over it", "construction", "within tolerance", "audits"},
                  rows, true);
     out +=
         "<figcaption>Times are of the wall clock, which counts pauses of the machine, too. Ratios are of the medians "
-        "over the steps, which leave pauses out; compare.json has those of the sums.</figcaption>\n";
+        "over the " +
+        std::string(step_word(first)) + "s, which leave pauses out; compare.json has those of the sums.</figcaption>\n";
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
-                 "construction of the first triangulation and its tolerances, summed over the iterations. A curve that "
+                 "construction of the first triangulation and its tolerances, summed. A curve that "
                  "flattens belongs to a strategy that gains from small displacements.");
 }
 
@@ -204,8 +210,9 @@ std::string report_html(const Report& report) {
     std::string out = page_head(report.title, run.command);
     append_warnings(out, run.input.warnings);
     if (run.interrupted)
-        out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) +
-               (run.iterations == 1 ? " iteration" : " iterations") + "; this is what it had.</p>\n";
+        out += "<p class=\"verdict bad\">The run was interrupted after " + grouped(run.iterations) + " " +
+               step_word(run) + (run.iterations == 1 ? "" : "s") + (run.replayed ? " after the first" : "") +
+               "; this is what it had.</p>\n";
     if (run.audit.failed > 0)
         out += "<p class=\"verdict bad\">" + grouped(run.audit.failed) + " of " + grouped(run.audit.checked) +
                (run.audit.checked == 1 ? " audit" : " audits") + " failed: the triangulation was not Delaunay.</p>\n";
@@ -213,22 +220,24 @@ std::string report_html(const Report& report) {
     else append_findings(out, findings(run));
     append_drawings(out, report.drawings);
     append_cells(out, report);
-    append_plots(out, "How regular it became", plane_plots(run), plane_caption(run));
+    append_plots(out, "How regular it became", regularity_plots(run), plane_caption(run));
     if (report.film.empty()) append_pictures(out, report);
     else out += "<h2>The triangulation</h2>\n" + report.film.html();
     append_plots(
         out, "The mesh", mesh_plots(run),
         "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
-    // Of several strategies the page shows the steps of the last one.
+    // Of several strategies the page shows the iterations of the last one.
     const std::string of = report.comparison && report.comparison->runs.size() > 1 ? ": " + run.strategy : "";
     append_plots(out, "Convergence" + of, convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
     const Tested_moves tested = tested_moves(run);
-    append_plots(out, "What a step costs" + of, cost_plots(run),
+    const std::string word = step_word(run);
+    append_plots(out, "What " + std::string(run.replayed ? "a " : "an ") + word + " costs" + of, cost_plots(run),
                  tested.steps > 0 && tested.steps < run.steps.size()
-                     ? "Of " + grouped(run.steps.size()) + " steps " + grouped(tested.steps) +
+                     ? "Of " + grouped(run.steps.size() - (run.finished ? 1 : 0)) + " " + word + "s " +
+                           (run.finished ? "and the finish " : "") + grouped(tested.steps) +
                            " tested tolerances. The others evaluated the signs of all certificates or rebuilt: how "
                            "many moves were beyond tolerance is unknown there."
                      : "");

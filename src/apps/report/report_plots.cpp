@@ -38,7 +38,21 @@ void add_measured(std::vector<Series>& all, std::string name, const std::vector<
     if (!series.x.empty()) all.push_back(std::move(series));
 }
 
-Axis iteration_axis(Scale scale) { return {"iteration", scale, {}, {}, true}; }
+/// How the volumes of Voronoi cells scatter; empty where that was not measured.
+Series scatter_curve(const Run_record& run) {
+    std::vector<Series> all;
+    add_measured(all, "", run.steps, [](const Iteration_record& s) {
+        return s.volume_scatter ? std::optional(100 * *s.volume_scatter) : std::nullopt;
+    });
+    return all.empty() ? Series{} : std::move(all.front());
+}
+
+Axis step_axis(const Run_record& run, Scale scale) { return {step_axis_label(run), scale, {}, {}, true}; }
+
+/// "iteration 10", or of a replayed motion, whose frames have numbers of their own, "after 10 frames".
+std::string label_of(const Run_record& run, std::uint64_t step) {
+    return run.replayed ? "after " + grouped(step) + (step == 1 ? " frame" : " frames") : "iteration " + grouped(step);
+}
 
 }  // namespace
 
@@ -47,7 +61,7 @@ std::vector<Plot> convergence_plots(const Report& report) {
     const auto& steps = report.run.steps;
     if (!steps.empty()) {
         Plot plot{"Displacement, tolerance, annulus width",
-                  iteration_axis(Scale::log10),
+                  step_axis(report.run, Scale::log10),
                   {"mean over vertices (mean spacings)", Scale::log10, {}, {}, false},
                   {}};
         add_measured(plot.series, "displacement", steps,
@@ -64,7 +78,7 @@ std::vector<Plot> convergence_plots(const Report& report) {
                   {"bi-cells in a bin (%)", Scale::linear, 0., {}, false},
                   {}};
         for (const Width_distribution& d : report.annulus_widths)
-            plot.series.push_back(histogram_series("iteration " + grouped(d.iteration), d.widths));
+            plot.series.push_back(histogram_series(label_of(report.run, d.iteration), d.widths));
         plots.push_back(std::move(plot));
     }
     return plots;
@@ -75,7 +89,7 @@ std::vector<Plot> cost_plots(const Run_record& run) {
     if (run.steps.empty()) return plots;
     if (tested_moves(run).steps > 0) {
         Plot plot{"Moves beyond their tolerance",
-                  iteration_axis(Scale::log10),
+                  step_axis(run, Scale::log10),
                   {"moves beyond tolerance (%)", Scale::linear, 0., {}, false},
                   {}};
         plot.series.push_back(over_iterations("", run.steps, [](const Iteration_record& s) -> std::optional<double> {
@@ -85,8 +99,8 @@ std::vector<Plot> cost_plots(const Run_record& run) {
         }));
         plots.push_back(std::move(plot));
     }
-    Plot plot{
-        "Time for each step", iteration_axis(Scale::log10), {"time a step (ms)", Scale::log10, {}, {}, false}, {}};
+    const std::string word = step_word(run);
+    Plot plot{"Time for each " + word, step_axis(run, Scale::log10), {"time (ms)", Scale::log10, {}, {}, false}, {}};
     plot.series.push_back(over_iterations("triangulation", run.steps, [](const Iteration_record& s) {
         return std::optional<double>(1e3 * s.seconds_triangulation);
     }));
@@ -117,8 +131,8 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
     if (!run.steps.empty() && run.steps.back().mesh) dihedral.series.push_back(angles("after", *run.steps.back().mesh));
     std::vector<Plot> plots{dihedral};
     Plot slivers{
-        "Slivers", iteration_axis(Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
-    Plot locked{"Locked vertices", iteration_axis(Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
+        "Slivers", step_axis(run, Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
+    Plot locked{"Locked vertices", step_axis(run, Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
     const auto share = [](std::uint64_t part, std::uint64_t all) {
         return all > 0 ? 100 * static_cast<double>(part) / static_cast<double>(all) : 0;
     };
@@ -136,7 +150,7 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
     return plots;
 }
 
-std::vector<Plot> plane_plots(const Run_record& run) {
+std::vector<Plot> regularity_plots(const Run_record& run) {
     const auto curve = [&](std::string name, auto value) {
         std::vector<Series> all;
         add_measured(all, std::move(name), run.steps, [&](const Iteration_record& s) -> std::optional<double> {
@@ -154,20 +168,26 @@ std::vector<Plot> plane_plots(const Run_record& run) {
     const char* const counted = run.input.box.empty() ? "inner vertices (%)" : "vertices (%)";
     const double first = run.plane_before && run.plane_before->energy ? *run.plane_before->energy : 0;
     std::vector<Plot> plots{{"Numbers of neighbours",
-                             iteration_axis(Scale::log10),
+                             step_axis(run, Scale::log10),
                              {counted, Scale::linear, 0., {}, false},
                              {share("seven", 3), share("five", 1), share("six", 2)}},
                             {"Least angles of triangles",
-                             iteration_axis(Scale::log10),
+                             step_axis(run, Scale::log10),
                              {"angle (degrees)", Scale::linear, 0., 60., false},
                              {curve("mean", [](const Plane_step& p) { return std::optional(p.angle_mean); }),
                               curve("least", [](const Plane_step& p) { return std::optional(p.angle_min); })}},
                             {"Energy",
-                             iteration_axis(Scale::log10),
+                             step_axis(run, Scale::log10),
                              {"energy (% of that at the start)", Scale::linear, {}, {}, false},
-                             {curve("", [&](const Plane_step& p) {
-                                 return p.energy && first > 0 ? std::optional(100 * *p.energy / first) : std::nullopt;
-                             })}}};
+                             {curve("",
+                                    [&](const Plane_step& p) {
+                                        return p.energy && first > 0 ? std::optional(100 * *p.energy / first)
+                                                                     : std::nullopt;
+                                    })}},
+                            {"Volumes of Voronoi cells",
+                             step_axis(run, Scale::log10),
+                             {"standard deviation (% of the mean)", Scale::linear, 0., {}, false},
+                             {scatter_curve(run)}}};
     for (Plot& plot : plots) std::erase_if(plot.series, [](const Series& s) { return s.x.size() < 2; });
     std::erase_if(plots, [](const Plot& plot) { return plot.series.empty(); });
     return plots;
@@ -180,11 +200,11 @@ std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
                      [](const Iteration_record& s) { return std::optional<double>(s.seconds_cumulative); });
     if (curves.empty()) return {};
     return {{"Cumulative time of each strategy",
-             iteration_axis(Scale::linear),
+             step_axis(comparison.runs.front(), Scale::linear),
              {"cumulative time (s)", Scale::linear, 0., {}, false},
              curves},
             {"Cumulative time of each strategy, logarithmic",
-             iteration_axis(Scale::log10),
+             step_axis(comparison.runs.front(), Scale::log10),
              {"cumulative time (s)", Scale::log10, {}, {}, false},
              curves}};
 }

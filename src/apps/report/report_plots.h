@@ -19,7 +19,7 @@ namespace annulus::inline v1 {
 
 /// Numbers of neighbours, least angles and energy of a 2D triangulation over the iterations. Empty unless they were
 /// measured after two steps or more.
-[[nodiscard]] std::vector<Plot> plane_plots(const Run_record& run);
+[[nodiscard]] std::vector<Plot> regularity_plots(const Run_record& run);
 
 /// Cumulative seconds of every strategy (figure 7 of the paper), linear and logarithmic.
 [[nodiscard]] std::vector<Plot> comparison_plots(const Comparison_record& comparison);

@@ -39,7 +39,7 @@ min-width:8.5em}
 .wide thead th{color:var(--soft);font-size:.88rem;white-space:normal}
 .wide th:last-child,.wide td:last-child{padding-right:0}
 .claims{min-width:860px;font-size:.93rem}.claims th,.claims td{padding:9px 14px 9px 0;vertical-align:top;width:20%}
-.claims td:nth-child(2){width:9%}.claims thead th{color:var(--soft);font-size:.88rem}
+.claims :nth-child(2){width:9%}.claims thead th{color:var(--soft);font-size:.88rem}
 .sortable button{all:unset;cursor:pointer}
 .sortable button:hover,.sortable [aria-sort] button{color:var(--ink)}
 .sortable button:focus-visible{outline:2px solid var(--c0);outline-offset:3px}
@@ -59,8 +59,9 @@ svg{display:block;width:100%;height:auto}
 .face{stroke:var(--edge);stroke-linejoin:round}
 .n0{fill:#8c3300}.n1{fill:#ef8f4d}.n2{fill:var(--six)}.n3{fill:#6db3e3}.n4{fill:#0b5c94}.n5{fill:var(--bg)}
 .q0{fill:#c02f20}.q1{fill:#f0915f}.q2{fill:#fbd9a3}.q3{fill:#cfe3ee}.q4{fill:#74b0d6}.q5{fill:#2f74b0}
-.edges,.dots,.curve,.lead,.grid,.tick,.axis{fill:none}
-.edges{stroke:var(--edge);stroke-linejoin:round}.dots{stroke:var(--c0);stroke-linecap:round}
+.edges,.dots,.halo,.curve,.lead,.grid,.tick,.axis{fill:none}
+.edges{stroke:var(--edge);stroke-linejoin:round}.dots,.halo{stroke-linecap:round}
+.dots{stroke:var(--c0)}.halo{stroke:var(--bg)}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}
 .curve{stroke-width:2;stroke-linejoin:round;stroke-linecap:round}
 .lead{stroke-width:.8;opacity:.55;stroke-dasharray:none!important}

@@ -89,6 +89,8 @@ struct Iteration_record {
     std::uint64_t flips = 0;
     std::optional<Mesh_step> mesh;
     std::optional<Plane_step> plane;
+    /// The standard deviation of the volumes of the Voronoi cells over their mean, after the step.
+    std::optional<double> volume_scatter{};
 };
 
 /// How an input file, if any, was read.
@@ -117,6 +119,7 @@ struct Run_record {
     std::uint64_t iterations = 0;
     bool interrupted = false;  ///< before the last requested step
     bool finished = false;     ///< the last step is no iteration: nodt --finish
+    bool replayed = false;     ///< the steps are from frame to frame of a file, and pages call them frames
     std::string strategy;
     std::string tolerance;
     unsigned threads = 1;
@@ -130,8 +133,17 @@ struct Run_record {
     std::vector<Iteration_record> steps;
     std::optional<Mesh_step> mesh_before;    ///< before the first step
     std::optional<Plane_step> plane_before;  ///< before the first step
-    std::vector<Worst_cell> worst;           ///< the cells with the least dihedral angles at the end
+    std::optional<double> volume_scatter_before{};
+    std::vector<Worst_cell> worst;  ///< the cells with the least dihedral angles at the end
 };
+
+/// What pages call a step of the run: "iteration", or of a replayed motion "frame", to which it leads.
+[[nodiscard]] inline const char* step_word(const Run_record& run) { return run.replayed ? "frame" : "iteration"; }
+
+/// What pages write at an axis of steps: frames of a file have numbers of their own.
+[[nodiscard]] inline const char* step_axis_label(const Run_record& run) {
+    return run.replayed ? "frames after the first" : "iteration";
+}
 
 /// The moves of those steps of a run that tested tolerances.
 struct Tested_moves {

@@ -202,9 +202,11 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     }
     if (!edges.empty() || picture.faces.empty())
         out += "<path class=\"edges\" stroke-width=\"" + line + "\" d=\"" + trails(edges, at) + "\"/>";
+    const double dot = std::clamp(0.22 * spacing, 20., 130.);
+    if (picture.dots != Dots::crossings && !picture.faces.empty())  // visible on faces of any colour
+        out += "<path class=\"halo\" stroke-width=\"" + thickness(1.6 * dot) + "\" d=\"" + dots + "\"/>";
     if (picture.dots != Dots::crossings)
-        out += "<path class=\"dots\" stroke-width=\"" + thickness(std::clamp(0.22 * spacing, 20., 130.)) + "\" d=\"" +
-               dots + "\"/>";
+        out += "<path class=\"dots\" stroke-width=\"" + thickness(dot) + "\" d=\"" + dots + "\"/>";
     return out + "</svg>";
 }
 
