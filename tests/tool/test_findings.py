@@ -82,7 +82,7 @@ class Findings(tool.ToolTest):
 
     def test_of_many_cells_a_window_is_drawn(self):
         text = self.page("lloyd", "--points", 7000, "--iterations", 0)
-        self.assertRegex(text, r"Voronoi cells before: the 2,\d{3} cells in a window in the middle, of 7,000\.")
+        self.assertRegex(text, r"Voronoi cells at the start: the 2,\d{3} cells in a window in the middle, of 7,000\.")
         drawn = sum(d.count("M") for d in re.findall(r'class="face n\d" stroke-width="\d+" d="([^"]*)"', text))
         self.assertGreater(drawn, 2400)
         self.assertLess(drawn, 3400)
