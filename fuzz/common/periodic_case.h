@@ -2,8 +2,8 @@
 #pragma once
 
 // Bytes to a box, points in it and changes of a Periodic_mesh of them, which is compared after each with what was asked
-// for, with a build of the same points and with common/periodic_checks.h. The first byte has the dimension in its lowest
-// bit, whether changes are reported in the next one, and a power of two in the others; then the kind of box, its
+// for, with a build of the same points and with common/periodic_checks.h. The first byte has the dimension in its
+// lowest bit, whether changes are reported in the next one, and a power of two in the others; then the kind of box, its
 // numbers, the kind of points, their number, the points, and changes until the bytes run out.
 
 #include "bytes.h"
@@ -25,7 +25,9 @@ template <int d>
 class Periodic_case {
   public:
     explicit Periodic_case(Bytes bytes)
-        : options_{.threads = 1, .report_changes = (Bytes(bytes).next() & 2U) != 0}, inputs_(bytes), box_(inputs_.box()) {
+        : options_{.threads = 1, .report_changes = (Bytes(bytes).next() & 2U) != 0},
+          inputs_(bytes),
+          box_(inputs_.box()) {
         const std::size_t n = inputs_.number();
         for (std::size_t i = 0; i < n; ++i) x_.push_back(inputs_.point(box_, x_));
     }
@@ -253,8 +255,8 @@ class Periodic_case {
     std::string refused_for_a_number() {
         Points x = moved(3);
         if (!free_.empty() || x.empty()) return "nothing";
-        x[inputs_.below(x.size())][inputs_.below(d)] = inputs_.below(2) == 0 ? std::numeric_limits<double>::infinity()
-                                                                             : std::numeric_limits<double>::quiet_NaN();
+        x[inputs_.below(x.size())][inputs_.below(d)] =
+            inputs_.below(2) == 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
         try {
             mesh_->move_all(x);
         } catch (const Error& e) {

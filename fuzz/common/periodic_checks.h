@@ -33,7 +33,8 @@ template <int d>
 [[nodiscard]] Rationals<d> translated(Rationals<d> x, const Shift<d>& shift, int factor,
                                       const typename Box<d>::Vectors& box) {
     for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d && shift[j] != 0; ++i) x[i] += factor * mpq_class(shift[j]) * mpq_class(box[j][i]);
+        for (std::size_t i = 0; i < d && shift[j] != 0; ++i)
+            x[i] += factor * mpq_class(shift[j]) * mpq_class(box[j][i]);
     return x;
 }
 /// The determinant of x[1] - x[0] .. x[d] - x[0].
@@ -124,8 +125,8 @@ class Periodic_checks {
         return found;
     }
 
-    /// Whether a vertex is where it was asked for, in the box as it was given: the point less its image is the place, but
-    /// for rounding.
+    /// Whether a vertex is where it was asked for, in the box as it was given: the point less its image is the place,
+    /// but for rounding.
     [[nodiscard]] bool is_at(std::size_t v, const Coordinates<d>& p) const {
         if (!mesh_.is_vertex(static_cast<Index>(v))) return false;
         const Rationals<d> x = translated<d>(rationals(p), mesh_.images()[v], -1, given_);

@@ -31,6 +31,7 @@ bool is_rough(Motion_kind kind) {
 /// Approximate microseconds per vertex and step.
 double cost(const Case& c) {
     const bool plane = c.dimension == 2;
+    if (c.setting.periodic) return (plane ? 0.8 : 5) * (is_rough(c.motion) ? 4 : 1);
     switch (c.setting.strategy) {
         case Strategy::tolerances:
         case Strategy::tolerances_each:
@@ -54,8 +55,9 @@ void choose_size(Case& c) {
     if (c.points == 0)
         c.points = static_cast<std::size_t>(std::exp2(testing::between(random, std::log2(40), std::log2(400))));
     if (c.steps > 0) return;
-    const bool cheap = c.setting.strategy == Strategy::tolerances || c.setting.strategy == Strategy::tolerances_each ||
-                       c.setting.strategy == Strategy::automatic || c.setting.strategy == Strategy::paper;
+    const bool cheap = !c.setting.periodic &&
+                       (c.setting.strategy == Strategy::tolerances || c.setting.strategy == Strategy::tolerances_each ||
+                        c.setting.strategy == Strategy::automatic || c.setting.strategy == Strategy::paper);
     c.steps = 50000;
     if (cheap && !is_rough(c.motion)) return;
     const double within_limit = 1e6 / (cost(c) * static_cast<double>(c.points));

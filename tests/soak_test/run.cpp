@@ -261,6 +261,7 @@ Outcome run_in(const Case& c) {
 
 Outcome run(const Case& c) {
     try {
+        if (c.setting.periodic) return run_periodic(c);
         return c.dimension == 2 ? run_in<2>(c) : run_in<3>(c);
     } catch (const std::exception& e) {
         Outcome outcome;

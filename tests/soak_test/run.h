@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One motion under one strategy for many steps, through the public class at its real bounds.
+// One motion under one strategy, or in a periodic box, for many steps, through the public class at its real bounds.
 
 #include <support/motions.h>
 
@@ -13,12 +13,13 @@
 
 namespace annulus::soak {
 
-/// An update strategy with its settings, and its name.
+/// An update strategy with its settings, and its name; or a periodic box, which has no strategies.
 struct Setting {
     std::string_view name;
     Strategy strategy;
+    bool periodic = false;
 };
-inline constexpr std::array<Setting, 9> all_settings{{
+inline constexpr std::array<Setting, 10> all_settings{{
     {"tolerances", Strategy::tolerances},
     {"tolerances-each", Strategy::tolerances_each},
     {"auto", Strategy::automatic},
@@ -28,6 +29,7 @@ inline constexpr std::array<Setting, 9> all_settings{{
     {"relocate", Strategy::relocate},
     {"relocate-flips", Strategy::relocate_flips},
     {"in-place", Strategy::in_place},
+    {"periodic", Strategy::automatic, true},
 }};
 
 /// A case to run. The whole run is a function of it, except of `audits`, which changes nothing.
@@ -38,8 +40,9 @@ struct Case {
     std::uint64_t seed = 1;
     std::uint64_t steps = 0;
     std::size_t points = 0;
-    bool calls =
-        false;  ///< insertions, removals, single moves and recompute_tolerances() in between, and refused calls
+    /// Insertions, removals and refused calls in between, single moves and recompute_tolerances(); in a periodic box
+    /// meshes that are made of saved ones.
+    bool calls = false;
     std::uint64_t audits = 0;  ///< total number of audits
 
     [[nodiscard]] std::string name() const;
@@ -58,6 +61,7 @@ struct Outcome {
 
 /// Runs until the end or the first fault.
 [[nodiscard]] Outcome run(const Case& c);
+[[nodiscard]] Outcome run_periodic(const Case& c);
 
 /// The default numbers of points and steps: 50,000 steps where most vertices stay within their tolerance, elsewhere as
 /// many as take a second or two. Functions of the case and its seed alone: no clock influences a run.
