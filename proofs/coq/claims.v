@@ -6,6 +6,7 @@
    same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
+From Annulus Require sums torus_2 torus_3 torus_moving.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
@@ -154,6 +155,71 @@ Proof.
   intros T U L. exact (filter_delaunay_3 f m verdicts s z T U L S E R).
 Qed.
 Print Assumptions filter_in_space.
+
+(* ---- Periodic boxes ---- *)
+
+Theorem periodic_degree_in_the_plane : forall T, torus_2.glued_torus_2 T ->
+  (forall x L, sums.sum (torus_2.torus_area x L) T = IZR (torus_2.covers_2 T) * torus_2.det_2 L) /\
+  (exists N, torus_2.covers_2 T = (2 * N)%Z) /\
+  (forall v k, torus_2.covers_2 (map (torus_2.wrapped_2 v k) T) = torus_2.covers_2 T) /\
+  (forall m, torus_2.basis_det m = 1%Z -> torus_2.covers_2 (map (torus_2.rebased_2 m) T) = torus_2.covers_2 T) /\
+  (forall A B rest, torus_2.same_border_2 A B -> T = A ++ rest -> torus_2.covers_2 (B ++ rest) = torus_2.covers_2 T).
+Proof.
+  intros T G. split; [now apply torus_2.degree_2|]. split; [now apply torus_2.covers_even|]. split; [intros; now apply torus_2.covers_wrapped|].
+  split; [intros; now apply torus_2.covers_in_basis|]. intros A B rest S ->. symmetry. now apply torus_2.covers_replaced.
+Qed.
+Print Assumptions periodic_degree_in_the_plane.
+
+Theorem periodic_degree_in_space : forall T, torus_3.glued_torus_3 T ->
+  (forall x L, sums.sum (torus_3.torus_volume x L) T = IZR (torus_3.covers_3 T) * torus_3.det_3 L) /\
+  (forall v k, torus_3.covers_3 (map (torus_3.wrapped_3 v k) T) = torus_3.covers_3 T) /\
+  (forall m, torus_3.offset_det (torus_3.m1 m) (torus_3.m2 m) (torus_3.m3 m) = 1%Z ->
+    torus_3.covers_3 (map (torus_3.rebased_3 m) T) = torus_3.covers_3 T) /\
+  (forall A B rest, torus_3.same_border_3 A B -> T = A ++ rest -> torus_3.covers_3 (B ++ rest) = torus_3.covers_3 T).
+Proof.
+  intros T G. split; [now apply torus_3.degree_3|]. split; [intros; now apply torus_3.covers_wrapped_3|].
+  split; [intros; now apply torus_3.covers_in_basis_3|]. intros A B rest S ->. symmetry. now apply torus_3.covers_replaced_3.
+Qed.
+Print Assumptions periodic_degree_in_space.
+
+Theorem circle_in_a_moving_box : forall m E e (x0 x d : nat -> point_2) L0 L (site : nat -> torus_2.site_2) c r s,
+  m <> (0, 0) -> 0 <= e -> torus_moving.small_2 e E ->
+  torus_moving.box_follows_2 (torus_moving.nearly_similar_2 m E) L0 L ->
+  torus_moving.vertices_follow_2 (torus_moving.nearly_similar_2 m E) d x0 x ->
+  let y i := torus_2.site_at x0 L0 (site i) in
+  (forall i, (i < 4)%nat -> torus_moving.length_2 (torus_moving.minus_2 (y i) c) <= r) ->
+  (forall i, (i < 4)%nat -> (1 + e) * torus_moving.length_2 (d (fst (site i))) + e * r < s) ->
+  (forall z, (forall i, (i < 4)%nat -> torus_moving.length_2 (torus_moving.minus_2 (z i) (y i)) < s) -> torus_moving.circle_holds z) ->
+  torus_moving.circle_holds (fun i => torus_2.site_at x L (site i)).
+Proof. exact torus_moving.circle_in_moving_box_2. Qed.
+Print Assumptions circle_in_a_moving_box.
+
+Theorem sphere_in_a_moving_box : forall rho Q E e (x0 x d : nat -> vectors.vec) L0 L (site : bicell.vertex -> torus_3.site_3) c r s,
+  0 < rho -> torus_moving.rotation_3 Q -> 0 <= e -> torus_moving.small_3 e E ->
+  torus_moving.box_follows_3 (torus_moving.nearly_similar_3 rho Q E) L0 L ->
+  torus_moving.vertices_follow_3 (torus_moving.nearly_similar_3 rho Q E) d x0 x ->
+  let y i := torus_3.site_at_3 x0 L0 (site i) in
+  (forall i, vectors.norm (vectors.sub (y i) c) <= r) -> (forall i, (1 + e) * vectors.norm (d (fst (site i))) + e * r < s) ->
+  (forall z, (forall i, vectors.norm (vectors.sub (z i) (y i)) < s) -> torus_moving.sphere_holds z) ->
+  torus_moving.sphere_holds (fun i => torus_3.site_at_3 x L (site i)).
+Proof. exact torus_moving.sphere_in_moving_box_3. Qed.
+Print Assumptions sphere_in_a_moving_box.
+
+Theorem triangle_in_a_moving_box : forall A (x0 x d : nat -> point_2) L0 L (site : nat -> torus_2.site_2) s,
+  torus_moving.linear_2 A -> torus_moving.box_follows_2 A L0 L -> torus_moving.vertices_follow_2 A d x0 x ->
+  0 < torus_2.det_2 L0 -> 0 < torus_2.det_2 L -> (forall i, (i < 3)%nat -> torus_moving.length_2 (d (fst (site i))) < s) ->
+  (forall z, (forall i, (i < 3)%nat -> torus_moving.length_2 (torus_moving.minus_2 (z i) (torus_2.site_at x0 L0 (site i))) < s) -> 0 < turn_at z 0 1 2) ->
+  0 < turn_at (fun i => torus_2.site_at x L (site i)) 0 1 2.
+Proof. exact torus_moving.orientation_in_moving_box_2. Qed.
+Print Assumptions triangle_in_a_moving_box.
+
+Theorem tetrahedron_in_a_moving_box : forall A (x0 x d : nat -> vectors.vec) L0 L (site : tetrahedron.corner -> torus_3.site_3) s,
+  torus_moving.linear_3 A -> torus_moving.box_follows_3 A L0 L -> torus_moving.vertices_follow_3 A d x0 x ->
+  0 < torus_3.det_3 L0 -> 0 < torus_3.det_3 L -> (forall i, vectors.norm (d (fst (site i))) < s) ->
+  (forall z, (forall i, vectors.norm (vectors.sub (z i) (torus_3.site_at_3 x0 L0 (site i))) < s) -> 0 < tetrahedron.volume z) ->
+  0 < tetrahedron.volume (fun i => torus_3.site_at_3 x L (site i)).
+Proof. exact torus_moving.orientation_in_moving_box_3. Qed.
+Print Assumptions tetrahedron_in_a_moving_box.
 
 (* ---- The paper's tolerance ---- *)
 
