@@ -6,7 +6,7 @@
    same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
-From Annulus Require sums torus_2 torus_3 torus_moving.
+From Annulus Require sums torus_2 torus_3 torus_moving torus_delaunay.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
@@ -181,6 +181,20 @@ Proof.
   split; [intros; now apply torus_3.covers_in_basis_3|]. intros A B rest S ->. symmetry. now apply torus_3.covers_replaced_3.
 Qed.
 Print Assumptions periodic_degree_in_space.
+
+Theorem periodic_mesh_in_the_plane : forall (x : nat -> point_2) L, 0 < torus_2.det_2 L -> forall T, torus_2.glued_torus_2 T ->
+  torus_delaunay.positive_torus_2 x L T -> torus_delaunay.strictly_delaunay_2 x L T ->
+  (forall z c0, In c0 T -> exists c u, In c T /\ torus_delaunay.in_torus_cell x L z (torus_delaunay.moved_cell_2 u c) /\
+    forall c' u', In c' T ->
+    torus_delaunay.power_of x L z (torus_delaunay.moved_cell_2 u c) <= torus_delaunay.power_of x L z (torus_delaunay.moved_cell_2 u' c')) /\
+  (forall vertex : nat -> Prop,
+    (forall c s, In c T -> vertex (fst s) -> torus_delaunay.in_torus_cell x L (torus_2.site_at x L s) c -> torus_delaunay.corner_of_torus s c) ->
+    forall c, In c T -> exists o r2, (forall s, torus_delaunay.corner_of_torus s c -> dist2 (torus_2.site_at x L s) o = r2) /\
+    forall s, vertex (fst s) -> r2 <= dist2 (torus_2.site_at x L s) o).
+Proof.
+  intros x L D T G P S. split; [intros z c0; now apply torus_delaunay.least_power|]. intros vertex A. now apply torus_delaunay.torus_delaunay.
+Qed.
+Print Assumptions periodic_mesh_in_the_plane.
 
 Theorem circle_in_a_moving_box : forall m E e (x0 x d : nat -> point_2) L0 L (site : nat -> torus_2.site_2) c r s,
   m <> (0, 0) -> 0 <= e -> torus_moving.small_2 e E ->
