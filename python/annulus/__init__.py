@@ -23,13 +23,15 @@ from ._frame_result import FrameResult
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
 from ._periodic import NotAvailableError, PeriodicDelaunay
+from ._periodic_voronoi import PeriodicVoronoi
 from ._polytopes import VoronoiPolytopes
 from ._queries import AuditResult, Fault
 from ._voronoi import Voronoi, t1
 
 __all__ = ["Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
            "MoveResult", "MoveStatistics", "MovingDelaunay", "MovingDelaunayBatch", "NodtResult", "NotAvailableError",
-           "OpenBoundariesWarning", "PeriodicDelaunay", "TableWarning", "Voronoi", "VoronoiPolytopes", "__version__",
-           "analyze", "audit", "counterexample", "degeneracy", "lloyd", "nodt", "predicates", "t1"]
+           "OpenBoundariesWarning", "PeriodicDelaunay", "PeriodicVoronoi", "TableWarning", "Voronoi",
+           "VoronoiPolytopes", "__version__", "analyze", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
+           "predicates", "t1"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

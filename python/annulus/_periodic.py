@@ -7,17 +7,18 @@ import typing
 import warnings
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from . import _arguments, _core, _outputs
+from . import _arguments, _core
 from ._error import Error, OpenBoundariesWarning
 from ._periodic_gradients import PeriodicGradients
+from ._periodic_voronoi import PeriodicDiagrams
 from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
 _MISSING = ("recompute_tolerances", "convex_hull", "flat_simplices", "vertex_neighbor_vertices", "vertex_to_simplex",
-            "tolerances", "theta", "displacements", "vertex_of_input", "affine_dimension", "edges", "voronoi",
+            "tolerances", "theta", "displacements", "vertex_of_input", "affine_dimension", "edges",
             "voronoi_polytopes", "nearest_vertex", "interpolate")
 
 
@@ -29,7 +30,7 @@ class NotAvailableError(Error, NotImplementedError, AttributeError):
         super().__init__(what, code, vertices)
 
 
-class PeriodicDelaunay(PeriodicGradients, Plots):
+class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
     """The Delaunay triangulation of points in a periodic box: ``MovingDelaunay(points, box=box)`` makes one.
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with
@@ -277,22 +278,6 @@ class PeriodicDelaunay(PeriodicGradients, Plots):
         """
         return self._mesh.neighbour_counts(_arguments.number("min_area", min_area),
                                            _arguments.truth("strict", strict))
-
-    def voronoi_volumes(self, *, out: NDArray[typing.Any] | None = None,
-                        dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
-        """The areas (2D) or volumes (3D) of the Voronoi cells, which add up to that of the box.
-
-        Parameters
-        ----------
-        out, dtype : optional
-            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
-
-        Returns
-        -------
-        ndarray of float64, shape (npoints,)
-            Each with a relative error of at most 2**-33, 1.2e-10; NaN at free indices.
-        """
-        return _outputs.returned(self._mesh.voronoi_volumes, lambda: (self.npoints,), out, dtype)
 
     def audit(self) -> AuditResult:
         """Checks the whole triangulation in integer arithmetic, with code that it does not share with what it checks.

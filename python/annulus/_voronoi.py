@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
+from ._diagram import Diagram
 from ._error import Error
 from ._queries import Floats, Indices
 
 
-class Voronoi:
+class Voronoi(Diagram):
     """The Voronoi diagram of a `MovingDelaunay` at one moment, with the names of `scipy.spatial.Voronoi`.
 
     Ridges are the facets that two cells have in common. Facets that are exactly empty (see `neighbor_list` of
@@ -32,6 +33,8 @@ class Voronoi:
         NaN for unbounded ridges.
     distances : ndarray of float64, shape (nridges,)
         The distance of the two points.
+    vectors : ndarray of float64, shape (nridges, d)
+        From the first of the two points to the second.
     volumes : ndarray of float64, shape (npoints,)
         The area (2D) or volume (3D) of each cell; ``inf`` if it is unbounded.
     centroids : ndarray of float64, shape (npoints, d)
@@ -57,55 +60,20 @@ class Voronoi:
     """
 
     furthest_site = False
-    points: Floats
-    ridge_points: Indices
-    areas: Floats
-    ridge_centroids: Floats
-    distances: Floats
-    volumes: Floats
-    centroids: Floats
-    surfaces: Floats
-    vertices: Floats
 
     def __init__(self, parts: dict[str, typing.Any]) -> None:
-        self.points = parts["points"]
-        full = ~parts["exactly_empty"]
-        self.ridge_points = parts["pairs"][full]
-        self.areas = parts["areas"][full]
-        self.ridge_centroids = parts["facet_centroids"][full]
-        self.distances = parts["distances"][full]
-        self.volumes = parts["volumes"]
-        self.centroids = parts["centroids"]
-        self.surfaces = parts["surfaces"]
-        first = parts["vertex_of_simplex"]
-        kept = np.flatnonzero(first == np.arange(len(first)))
-        number = np.full(len(first) + 1, -1, dtype=np.int32)  # the last one stays -1, for infinity
-        number[kept] = np.arange(len(kept), dtype=np.int32)
-        self.vertices = parts["vertices"][kept]
-        self._rings = _without_repetitions(parts["ring_begin"], number[np.append(first, -1)[parts["ring"]]], full)
-
-    @functools.cached_property
-    def ridge_vertices(self) -> list[list[int]]:
-        """list of lists of int: the vertices around each ridge, in order, -1 for infinity, which comes first."""
-        begin, index = self._rings
-        return [list(ring) for ring in np.split(index, begin[1:-1])] if len(begin) > 1 else []
+        super().__init__(parts, parts["ring"][:, None])
 
     @functools.cached_property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
         """dict: the vertices of each ridge by its two points."""
         return {(int(i), int(j)): ring for (i, j), ring in zip(self.ridge_points, self.ridge_vertices)}
 
-    @property
-    def point_region(self) -> NDArray[np.intp]:
-        """ndarray of int, shape (npoints,): the row of `regions` of each point, which is its own; -1 at free
-        indices."""
-        return np.where(np.isnan(self.points[:, 0]), -1, np.arange(len(self.points)))
-
     @functools.cached_property
     def regions(self) -> list[list[int]]:
         """list of lists of int: the vertices of each cell; -1, which comes first, if the cell is unbounded. In 2D
         counter-clockwise."""
-        begin, index = self._rings
+        begin, index = self._begin, self._corners[:, 0]
         ridge = np.repeat(np.arange(len(begin) - 1), np.diff(begin))
         cell = self.ridge_points[ridge].reshape(-1)
         pairs = np.unique(np.column_stack([cell, np.repeat(index, 2)]), axis=0)
@@ -149,21 +117,6 @@ class Voronoi:
             turn, side = _core.orient_2d(rows)["sign"].tolist()
             out[cell] = (other if (turn or side) > 0 else one)[1]
         return out
-
-    def __repr__(self) -> str:
-        return f"<Voronoi: {len(self.points)} points, {len(self.ridge_points)} ridges in {self.points.shape[1]}D>"
-
-
-def _without_repetitions(begin: Indices, index: Indices, full: NDArray[np.bool_]) -> tuple[Indices, Indices]:
-    """The lists that are `full`, each, as a cycle, without equal neighbours."""
-    size = np.diff(begin)
-    owner = np.repeat(np.arange(len(size)), size)
-    before = np.arange(len(index)) - 1
-    some = size > 0
-    before[begin[:-1][some]] = begin[1:][some] - 1
-    keep = ((index != index[before]) | (size[owner] == 1)) & full[owner] if len(index) else np.zeros(0, bool)
-    counts = np.bincount(owner[keep], minlength=len(size))[full]
-    return np.concatenate([[0], np.cumsum(counts)]).astype(np.int32), index[keep]
 
 
 def clip_of(clip: ArrayLike | None, ndim: int) -> tuple[Floats | None, Floats | None]:

@@ -3,6 +3,7 @@
 #include <module/arrays.h>
 #include <module/audit_tuple.h>
 #include <module/derivatives.h>
+#include <module/diagram.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
 #include <module/process_mutex.h>
@@ -17,6 +18,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -160,6 +162,18 @@ class Periodic {
     py::array voronoi_volumes() const {
         return give(locked([&] { return mesh_.voronoi_volumes(); }));
     }
+    /// What annulus.PeriodicVoronoi is made of, points and box of the same moment included.
+    py::dict voronoi() const {
+        auto [points, vectors, v] = locked([&] {
+            return std::tuple(std::vector(mesh_.points().begin(), mesh_.points().end()), mesh_.box().vectors(),
+                              mesh_.voronoi());
+        });
+        py::dict out = diagram_dict<d>(std::move(points), static_cast<Voronoi_diagram<d>&&>(v));
+        out["box"] = give_rows(std::vector(vectors.begin(), vectors.end()));
+        out["shifts"] = give_rows(std::move(v.shift));
+        out["ring_shifts"] = give_rows(std::move(v.ring_shift));
+        return out;
+    }
     py::array voronoi_gradient(const py::object& weights) const {
         const Numbers g = weights_of(weights);
         const std::span<const double> span(g.data(), static_cast<std::size_t>(g.size()));
@@ -233,6 +247,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("find_simplex", &P::find_simplex)
         .def("pairs", &P::pairs)
         .def("neighbour_counts", &P::neighbour_counts)
+        .def("voronoi", &P::voronoi)
         .def("voronoi_volumes", &P::voronoi_volumes)
         .def("voronoi_gradient", &P::voronoi_gradient)
         .def("voronoi_jacobian", &P::voronoi_jacobian)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Voronoi diagrams of a mesh, gradients of volumes, neighbours, nearest vertices.
 #include <module/derivatives.h>
+#include <module/diagram.h>
 #include <module/mesh_locked.h>
 #include <module/parts.h>
 
@@ -60,36 +61,12 @@ std::vector<Coordinates<d>> points_of(const Moving_mesh<d>& mesh) {
     return points;
 }
 
-/// NumPy's bool is a byte that is 0 or 1.
-py::array give_flags(std::vector<char> flags) {
-    static_assert(sizeof(bool) == 1);
-    auto owner = std::make_shared<const std::vector<char>>(std::move(flags));
-    const auto n = static_cast<py::ssize_t>(owner->size());
-    const auto* const data = reinterpret_cast<const bool*>(owner->data());
-    return view<bool>(data, {n}, std::move(owner));
-}
-
 template <int d>
 py::dict voronoi_of(const Mesh<d>& mesh, const py::object& box, const py::object& half_spaces) {
     const auto clip = clip_of<d>(box, half_spaces);
     auto [points, v] =
         mesh.read([&](const Moving_mesh<d>& m) { return std::pair(points_of<d>(m), diagram_of<d>(m, clip)); });
-    py::dict out;
-    out["points"] = give_rows(std::move(points));
-    out["pairs"] = give_rows(std::move(v.pair));
-    out["areas"] = give(std::move(v.measure));
-    out["facet_centroids"] = give_rows(std::move(v.centroid));
-    out["distances"] = give(std::move(v.distance));
-    out["vectors"] = give_rows(std::move(v.vector));
-    out["exactly_empty"] = give_flags(std::move(v.exactly_empty));
-    out["ring_begin"] = give(std::move(v.ring_begin));
-    out["ring"] = give(std::move(v.ring));
-    out["vertices"] = give_rows(std::move(v.vertex));
-    out["vertex_of_simplex"] = give(std::move(v.vertex_of_cell));
-    out["volumes"] = give(std::move(v.volume));
-    out["centroids"] = give_rows(std::move(v.cell_centroid));
-    out["surfaces"] = give(std::move(v.surface));
-    return out;
+    return diagram_dict<d>(std::move(points), std::move(v));
 }
 
 template <int d>

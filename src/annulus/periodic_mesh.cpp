@@ -10,7 +10,9 @@
 #include <annulus/engine/periodic_state.h>
 #include <annulus/kernel/periodic_builder.h>
 #include <annulus/kernel/periodic_locate.h>
+#include <annulus/measure/periodic_diagram.h>
 #include <annulus/measure/periodic_voronoi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -219,11 +221,7 @@ std::vector<Periodic_location<d>> Periodic_mesh<d>::find_cells(std::span<const P
         if (std::any_of(points[k].begin(), points[k].end(), [](double c) { return std::isnan(c); })) continue;
         const Representative<d> r = state.lattice.representative(points[k], static_cast<std::int64_t>(k));
         const Lifted_cell<d> at = locate<d>(state.table, state.lattice, state.place, r.place);
-        Shift<d> least = state.shift(state.table.image(at.cell, 0), true);  // what cells() subtracts
-        for (std::size_t i = 1; i <= d; ++i) {
-            const Shift<d> o = state.shift(state.table.image(at.cell, i), true);
-            for (std::size_t c = 0; c < d; ++c) least[c] = std::min(least[c], o[c]);
-        }
+        const Shift<d> least = state.least_shift(at.cell, true);  // what cells() subtracts
         const Shift<d> seen = state.lattice.in_box(at.shift);
         found[k].cell = static_cast<Index>(at.cell);
         for (std::size_t c = 0; c < d; ++c) found[k].shift[c] = least[c] - seen[c] + r.image[c];
@@ -251,6 +249,11 @@ std::vector<double> Periodic_mesh<d>::voronoi_volumes() const {
     require_sound_environment();
     const Periodic_state<d>& state = parts_->state;
     return periodic_voronoi_volumes<d>(state.table, state.lattice, state.place);
+}
+template <int d>
+Periodic_voronoi_diagram<d> Periodic_mesh<d>::voronoi() const {
+    require_sound_environment();
+    return periodic_voronoi_diagram(parts_->state);
 }
 template <int d>
 const Periodic_changes<d>& Periodic_mesh<d>::changes() const {

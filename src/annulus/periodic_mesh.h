@@ -145,6 +145,11 @@ class Periodic_mesh {
     /// The areas or volumes of the Voronoi cells, with a relative error of 2^-33 at most. They add up to the box's. NaN
     /// at free indices. O(n).
     [[nodiscard]] std::vector<double> voronoi_volumes() const;
+    /// The Voronoi diagram: facets with corners, measures and centroids; volumes and centroids of cells. Measures,
+    /// volumes and surfaces have a relative error of voronoi_diagram_error at most; centroids and vertices the errors
+    /// that voronoi_diagram promises without a clip. O(n), some microseconds a point, 20 for a facet that is computed
+    /// exactly. Throws environment, and what new throws.
+    [[nodiscard]] Periodic_voronoi_diagram<d> voronoi() const;
     /// The gradient of sum_i weights[i] * volume_i, and the derivatives of all volumes: voronoi_gradient and
     /// voronoi_jacobian (voronoi.h), with their errors, in a box that keeps its vectors. All images of a point move
     /// with it, and a row of the matrix has one entry for all images of a neighbour. O(n). The first throws wrong_size.

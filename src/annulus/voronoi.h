@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/box.h>
 #include <annulus/types.h>
 
 #include <array>
@@ -116,6 +117,26 @@ struct Voronoi_diagram {
     std::vector<double> volume;
     std::vector<Coordinates<d>> cell_centroid;  ///< of each Voronoi cell; NaN where it has no finite volume above 0
     std::vector<double> surface;                ///< the area of its boundary, the perimeter in 2D; as volume
+};
+
+/// The Voronoi diagram of points in a periodic box, as Periodic_mesh::voronoi makes it: a Voronoi_diagram of which all
+/// cells and facets are bounded, and in which an image of a point or of a vertex is its number and a shift. Positions
+/// are those of points() and box().
+///
+/// `pair` has each pair of neighbouring images once: i <= j, the second being points[j] + shift . box, and of a point
+/// and an image of its own the greater of the two shifts, ascending by (i, j, shift). `centroid` is that of the facet
+/// between the cells of points[i] and of this image; `vector` is exact.
+///
+/// Corner k of a ring is at vertex[ring[k]] + ring_shift[k] . box, where the first cell of the pair is that around
+/// points[i]. Two corners are the same one, exactly, if and only if number and shift are equal. In 2D the cell of i is
+/// on the left of the way from the first to the second.
+template <int d>
+struct Periodic_voronoi_diagram : Voronoi_diagram<d> {
+    std::vector<Shift<d>> shift;       ///< by pair: which image of j it is
+    std::vector<Shift<d>> ring_shift;  ///< by corner of a ring
+    /// The circumcentre of cell c, as Periodic_mesh::cells() has it, is that image of vertex[vertex_of_cell[c]]; vertex
+    /// [c] has its coordinates, too. Rings have numbers of cells that are their own vertex_of_cell.
+    std::vector<Shift<d>> vertex_shift;
 };
 
 /// Computes the Voronoi diagram of a Delaunay triangulation.

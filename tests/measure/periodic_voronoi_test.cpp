@@ -5,6 +5,7 @@
 
 #include <support/catch.h>
 #include <support/cells_of_periodic.h>
+#include <support/crystals.h>
 #include <support/periodic_boxes.h>
 #include <support/repeats.h>
 
@@ -20,35 +21,6 @@ namespace {
 
 template <int d>
 using Points = std::vector<Coordinates<d>>;
-
-/// k cells in each direction, of edge a.
-template <int d>
-Points<d> crystal(const Points<d>& basis, int k, double a) {
-    Points<d> x;
-    for (int z = 0; z < (d == 3 ? k : 1); ++z)
-        for (int y = 0; y < k; ++y)
-            for (int w = 0; w < k; ++w)
-                for (const auto& b : basis) {
-                    Coordinates<d> p{};
-                    const std::array<int, 3> at{w, y, z};
-                    for (std::size_t i = 0; i < d; ++i) p[i] = a * (at[i] + b[i]);
-                    x.push_back(p);
-                }
-    return x;
-}
-
-const Points<3> sc{{0, 0, 0}};
-const Points<3> bcc{{0, 0, 0}, {.5, .5, .5}};
-const Points<3> fcc{{0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
-const Points<3> diamond{{0, 0, 0},       {.5, .5, 0},     {.5, 0, .5},     {0, .5, .5},
-                        {.25, .25, .25}, {.75, .75, .25}, {.75, .25, .75}, {.25, .75, .75}};
-
-template <int d>
-Box<d> cube(double length) {
-    Coordinates<d> lengths;
-    lengths.fill(length);
-    return Box<d>::orthorhombic(lengths);
-}
 
 template <int d>
 bool all_are(const std::vector<Index>& counts, Index expected) {

@@ -115,9 +115,7 @@ Periodic_cells<d> Periodic_state<d>::cells(bool of_given) const {
     for (std::size_t c = 0; c < table.size(); ++c) {
         auto& offsets = cells.offsets[c];
         for (std::size_t i = 0; i <= d; ++i) offsets[i] = shift(table.image(c, i), of_given);
-        moved[c] = offsets[0];
-        for (const Shift<d>& o : offsets)
-            for (std::size_t k = 0; k < d; ++k) moved[c][k] = std::min(moved[c][k], o[k]);
+        moved[c] = least_shift(c, of_given);
         for (Shift<d>& o : offsets) o = minus<d>(o, moved[c]);
     }
     for (std::size_t c = 0; c < table.size(); ++c)

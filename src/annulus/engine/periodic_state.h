@@ -6,6 +6,7 @@
 #include <annulus/space/lattice.h>
 #include <annulus/types.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -45,6 +46,15 @@ struct Periodic_state : Placed_points<d> {
         if (of_given)
             for (std::size_t k = 0; k < d; ++k) o[k] -= image[static_cast<std::size_t>(s.vertex)][k];
         return o;
+    }
+    /// The least offsets of the corners of a cell in each direction.
+    [[nodiscard]] Shift<d> least_shift(std::size_t cell, bool of_given) const {
+        Shift<d> least = shift(table.image(cell, 0), of_given);
+        for (std::size_t i = 1; i <= d; ++i) {
+            const Shift<d> o = shift(table.image(cell, i), of_given);
+            for (std::size_t k = 0; k < d; ++k) least[k] = std::min(least[k], o[k]);
+        }
+        return least;
     }
     /// The cells with offsets that refer to the given points or to the representatives. Each is moved so that its least
     /// offsets are 0. O(n).

@@ -35,11 +35,14 @@ class Periodic_facets {
         Periodic_rings<d>(table_).for_each([&](const Periodic_ring<d>& ring) { visit(facet_of(ring)); });
     }
 
+    /// The facet of one edge, as seen from its first end.
+    [[nodiscard]] Periodic_facet<d> facet_of(const Periodic_ring<d>& ring) const;
+
     /// Of the unit of most facets.
     [[nodiscard]] int exponent() const { return places_.exponent(); }
+    [[nodiscard]] const Periodic_places<d>& places() const { return places_; }
 
   private:
-    [[nodiscard]] Periodic_facet<d> facet_of(const Periodic_ring<d>& ring) const;
     [[nodiscard]] Facet_measure<d> measured_exactly(const Periodic_ring<d>& ring) const;
 
     const Periodic_table<d>& table_;

@@ -23,6 +23,15 @@ struct Periodic_ring {
     /// Whether the Voronoi facet is exactly empty: whether at most two (2D: one) of the circumcentres of the cells
     /// differ (docs/theory.md 8.6).
     bool empty;
+
+    /// The same edge from its other end, which is at offset 0 then; the cells, in `memory`, are in the order in which
+    /// they are seen from there.
+    [[nodiscard]] Periodic_ring reversed(std::vector<Cell>& memory) const {
+        const Offset<d> back = Offset<d>() - to.label;
+        memory.assign(cells.rbegin(), cells.rend());
+        for (Cell& c : memory) c.shift = c.shift + back;
+        return {Image<d>(to.vertex), Image<d>(from.vertex, back), memory, empty};
+    }
 };
 
 /// Visits every edge of a periodic triangulation once. O(n).

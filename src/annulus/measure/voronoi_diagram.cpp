@@ -28,7 +28,7 @@ class Diagram {
         : facets_(points, cells),
           found_(points, facets_.exponent(), points.size() * (d == 2 ? 3 : 8)),
           is_cut_(points.size(), 0) {
-        facets_.for_each([this](const Voronoi_facet<d>& f) { found_.add(f); });
+        facets_.for_each([this](const Voronoi_facet<d>& f) { found_.add(f, f.ring); });
         sort_pairs();
         if (clip != nullptr) cut_ = std::make_unique<Voronoi_cut<d>>(points, out_.pair, *clip);
         list_vertices();
@@ -43,19 +43,10 @@ class Diagram {
 
   private:
     [[nodiscard]] std::span<const Coordinates<d>> points() const { return facets_.input().points; }
-    /// Ascending by (i, j): counted by i, then sorted by j, a few each.
+    /// Ascending by (i, j).
     void sort_pairs() {
         const auto found = found_.records();
-        std::vector<std::size_t> begin(points().size() + 1, 0);
-        for (const Facet_record<d>& f : found) ++begin[at(f.i) + 1];
-        std::partial_sum(begin.begin(), begin.end(), begin.begin());
-        order_.resize(found.size());
-        std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
-        for (std::size_t k = 0; k < found.size(); ++k) order_[end[at(found[k].i)]++] = k;
-        for (std::size_t v = 0; v < points().size(); ++v)
-            std::sort(order_.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-                      order_.begin() + static_cast<std::ptrdiff_t>(end[v]),
-                      [found](std::size_t a, std::size_t b) { return found[a].j < found[b].j; });
+        order_ = found_.in_order([found](std::size_t a, std::size_t b) { return found[a].j < found[b].j; });
         const auto open = std::count_if(found.begin(), found.end(), [](const auto& f) { return !f.bounded; });
         reserve_facets(out_, found.size(), found_.length_of_rings() + static_cast<std::size_t>(open));
         for (const std::size_t k : order_) out_.pair.push_back({found[k].i, found[k].j});

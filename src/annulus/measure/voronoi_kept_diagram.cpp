@@ -54,7 +54,7 @@ class Kept_voronoi_diagram<d>::Update {
         Facet_records<d> found(x_, facets.exponent(), affected_vertices_ * (d == 2 ? 6 : 16));
         facets.for_each_of(
             affected_cells(), [this](Index i, Index j) { return affected_[at(i)] != 0 || affected_[at(j)] != 0; },
-            [&found](const Voronoi_facet<d>& f) { found.add(f); });
+            [&found](const Voronoi_facet<d>& f) { found.add(f, f.ring); });
         computed_ = found.records().size();
         write_vertices(facets, parts, out);
         write_facets(found, out);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <annulus/measure/voronoi_facets.h>
+#include <annulus/measure/voronoi_input.h>
+#include <annulus/voronoi.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -67,7 +69,9 @@ class Facet_records {
         records_.reserve(expected);
     }
 
-    void add(const Voronoi_facet<d>& facet) {
+    /// A Voronoi_facet or Periodic_facet, and the numbers of the vertices around it.
+    template <class Facet>
+    void add(const Facet& facet, std::span<const Index> ring) {
         constexpr double unbounded = std::numeric_limits<double>::infinity();
         Facet_record<d>& r = records_.emplace_back(Facet_record<d>{facet.i,
                                                                    facet.j,
@@ -76,10 +80,10 @@ class Facet_records {
                                                                    {},
                                                                    facet.vector,
                                                                    rings_.size(),
-                                                                   facet.ring.size(),
+                                                                   ring.size(),
                                                                    facet.bounded,
                                                                    facet.empty});
-        rings_.insert(rings_.end(), facet.ring.begin(), facet.ring.end());
+        rings_.insert(rings_.end(), ring.begin(), ring.end());
         const bool finite = facet.measure < unbounded;
         const long double unit = facet.exponent == exponent_ ? unit_ : std::ldexp(1.0L, facet.exponent);
         const long double measure = d == 2 ? facet.measure * unit : facet.measure * unit * unit;
@@ -102,6 +106,21 @@ class Facet_records {
         return {rings_.data() + r.ring_begin, r.ring_size};
     }
     [[nodiscard]] std::size_t length_of_rings() const { return rings_.size(); }
+    /// The numbers of the records, ascending by i, and those of one i by less(number, number): counted by i, then
+    /// sorted, a few each.
+    template <class Less>
+    [[nodiscard]] std::vector<std::size_t> in_order(Less less) const {
+        std::vector<std::size_t> begin(points_.size() + 1, 0);
+        for (const Facet_record<d>& f : records_) ++begin[at(f.i) + 1];
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        std::vector<std::size_t> order(records_.size());
+        std::vector<std::size_t> end(begin.begin(), begin.end() - 1);
+        for (std::size_t k = 0; k < records_.size(); ++k) order[end[at(records_[k].i)]++] = k;
+        for (std::size_t v = 0; v < points_.size(); ++v)
+            std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+                      order.begin() + static_cast<std::ptrdiff_t>(end[v]), less);
+        return order;
+    }
 
     /// Appends a facet to a diagram.
     void write(const Facet_record<d>& r, Voronoi_diagram<d>& out) const {
