@@ -384,6 +384,12 @@ module annulus_c
             integer(c_size_t), value :: capacity
             real(c_double), intent(inout) :: volumes(*)
         end function
+        integer(c_int) function annulus_periodic_voronoi_cells(mesh, capacity, volumes, surfaces, centroids) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(inout), optional :: volumes(*), surfaces(*), centroids(*)
+        end function
         integer(c_int) function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, &
                 translations, count) bind(c)
             import
@@ -399,6 +405,30 @@ module annulus_c
             integer(c_size_t), value :: capacity
             integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
             real(c_double), intent(inout), optional :: vectors(*), distances(*), areas(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_voronoi_facets(mesh, capacity, first, second, shifts, measures, &
+                centroids, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
+            real(c_double), intent(inout), optional :: measures(*), centroids(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_voronoi_corners(mesh, begins, begin, capacity, vertices, shifts, &
+                count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: begins, capacity
+            integer(c_int32_t), intent(inout), optional :: begin(*), vertices(*), shifts(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_voronoi_vertices(mesh, capacity, coordinates, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(inout), optional :: coordinates(*)
             integer(c_size_t), intent(inout) :: count
         end function
         integer(c_int) function annulus_periodic_find_cells(mesh, points, coordinates, cells, shifts) bind(c)

@@ -21,8 +21,8 @@ class PeriodicVoronoi(Diagram):
     many vectors of the box a point or a vertex is moved. Every cell and every ridge is bounded.
 
     Ridges are the facets that two cells have in common. Facets that are exactly empty (see `neighbor_list` of
-    `PeriodicDelaunay`) are not among them. Arrays by ridge are in the order of `ridge_points`; arrays by cell have a row
-    for each point, NaN at free indices.
+    `PeriodicDelaunay`) are not among them. Arrays by ridge are in the order of `ridge_points`; arrays by cell have a
+    row for each point, NaN at free indices.
 
     Attributes
     ----------
@@ -84,9 +84,9 @@ class PeriodicVoronoi(Diagram):
 
     @functools.cached_property
     def ridge_vertex_shifts(self) -> list[Indices]:
-        """list of ndarray of int32, shape (k, d): which images the vertices in `ridge_vertices` are. Corner k of ridge r
-        is at ``vertices[ridge_vertices[r][k]] + ridge_vertex_shifts[r][k] @ box``: in 3D counter-clockwise as seen from
-        the second point, in 2D with the cell of the first one on the left."""
+        """list of ndarray of int32, shape (k, d): which images the vertices in `ridge_vertices` are. Corner k of ridge
+        r is at ``vertices[ridge_vertices[r][k]] + ridge_vertex_shifts[r][k] @ box``: in 3D counter-clockwise as seen
+        from the second point, in 2D with the cell of the first one on the left."""
         return self._by_ridge(self._corners[:, 1:])
 
     @functools.cached_property

@@ -414,6 +414,11 @@ ANNULUS_API int annulus_periodic_points(const annulus_periodic* mesh, size_t cap
 // Areas or volumes of the Voronoi cells, which add up to that of the box: relative error 2^-33, NaN at free indices.
 // Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_periodic_voronoi(const annulus_periodic* mesh, size_t capacity, double* volumes);
+// Of each cell volume, surface (in 2D area and perimeter) and centroid, 2 or 3 numbers, from the diagram of
+// annulus_periodic_voronoi_facets, which is kept; NaN at free indices. Two of the arrays may be NULL.
+// Errors: ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_voronoi_cells(const annulus_periodic* mesh, size_t capacity, double* volumes,
+                                               double* surfaces, double* centroids);
 
 // Lists, as above: kept until the next call that changes the mesh. Cells, one of each set of translates, dimension + 1
 // corners each: vertices and neighbours as many numbers, and as many offsets: corner i of cell c is at
@@ -430,6 +435,25 @@ ANNULUS_API int annulus_periodic_cells(const annulus_periodic* mesh, size_t capa
 ANNULUS_API int annulus_periodic_neighbours(const annulus_periodic* mesh, size_t capacity, int32_t* first,
                                             int32_t* second, int32_t* shifts, double* vectors, double* distances,
                                             double* areas, size_t* count);
+// The Voronoi diagram, in the frame of the points as they are returned. Facets between cells, each once: of `first` and
+// of `second` moved by the shift, first <= second, ascending by (first, second, shift). measures: length (dimension 2)
+// or area (3), 0 where the facet is exactly empty; centroids: NaN there. Measures, volumes and surfaces have a relative
+// error of 2^-32. Every array may be NULL. The first of these calls after a change computes the diagram, some
+// microseconds a vertex, and keeps it, with annulus_periodic_voronoi_cells. Errors: WRONG_SIZE, ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_voronoi_facets(const annulus_periodic* mesh, size_t capacity, int32_t* first,
+                                                int32_t* second, int32_t* shifts, double* measures, double* centroids,
+                                                size_t* count);
+// The corners of all facets: those of facet k have the numbers begin[k] to begin[k + 1] - 1, in order, in 3D counter-
+// clockwise as seen from the second cell, in 2D two, with the first cell on the left. Each is at coordinates[vertices]
+// + shifts . box, with the coordinates of annulus_periodic_voronoi_vertices. Two are the same if vertex and shift are,
+// as may be of some that follow each other where points are cospherical. begin: optional, NULL with begins 0; otherwise
+// begins must be one more than there are facets, or more. vertices and shifts may be NULL. Errors: as above.
+ANNULUS_API int annulus_periodic_voronoi_corners(const annulus_periodic* mesh, size_t begins, int32_t* begin,
+                                                 size_t capacity, int32_t* vertices, int32_t* shifts, size_t* count);
+// The circumcentres of annulus_periodic_cells, in their order. Of cells that have exactly the same one up to a shift,
+// and are connected by such cells, corners name the first. Errors: as above.
+ANNULUS_API int annulus_periodic_voronoi_vertices(const annulus_periodic* mesh, size_t capacity, double* coordinates,
+                                                  size_t* count);
 // For each point the number, in annulus_periodic_cells, of a cell that contains it, decided exactly for the point as it
 // is rounded, and what to add to the offsets of that cell; -1 without cells and for NaN. shifts may be NULL.
 // Errors: NOT_FINITE for infinity, OUT_OF_DOMAIN, ENVIRONMENT, NO_MEMORY.

@@ -8,7 +8,8 @@ program test_fortran
     use annulus
     use annulus_c, only: annulus_audit, annulus_create, annulus_destroy, annulus_interface, annulus_message_vertices, &
         annulus_options, annulus_periodic_create, annulus_periodic_destroy, annulus_periodic_move_all, &
-        annulus_periodic_neighbours, annulus_periodic_voronoi, ANNULUS_INTERFACE_OF_MODULE
+        annulus_periodic_neighbours, annulus_periodic_voronoi, annulus_periodic_voronoi_cells, &
+        ANNULUS_INTERFACE_OF_MODULE
     use checks
     use test_measures, only: a_square, measures
     use test_moves, only: moves
@@ -83,6 +84,9 @@ contains
         call expect(annulus_periodic_move_all(handle, 4_c_size_t, x, box) == ANNULUS_OK, 'annulus_periodic_move_all')
         call expect(annulus_periodic_voronoi(handle, 4_c_size_t, volumes) == ANNULUS_OK, 'annulus_periodic_voronoi')
         call expect(all(abs(volumes - 0.25d0) < 1e-9), 'volumes in a box')
+        call expect(annulus_periodic_voronoi_cells(handle, 4_c_size_t, volumes) == ANNULUS_OK, &
+            'annulus_periodic_voronoi_cells')
+        call expect(all(abs(volumes - 0.25d0) < 1e-9), 'volumes of the diagram in a box')
         call annulus_periodic_destroy(handle)
         call expect(.not. c_associated(handle), 'annulus_periodic_destroy')
     end subroutine

@@ -381,6 +381,12 @@ function annulus_periodic_voronoi(mesh, capacity, volumes)
                  mesh, capacity, volumes)
 end
 
+function annulus_periodic_voronoi_cells(mesh, capacity, volumes, surfaces, centroids)
+    return ccall((:annulus_periodic_voronoi_cells, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}),
+                 mesh, capacity, volumes, surfaces, centroids)
+end
+
 function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, translations, count)
     return ccall((:annulus_periodic_cells, library), Cint,
                  (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
@@ -392,6 +398,25 @@ function annulus_periodic_neighbours(mesh, capacity, first, second, shifts, vect
                  (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Cdouble}, Ptr{Cdouble},
                   Ptr{Cdouble}, Ptr{Csize_t}),
                  mesh, capacity, first, second, shifts, vectors, distances, areas, count)
+end
+
+function annulus_periodic_voronoi_facets(mesh, capacity, first, second, shifts, measures, centroids, count)
+    return ccall((:annulus_periodic_voronoi_facets, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Cdouble}, Ptr{Cdouble},
+                  Ptr{Csize_t}),
+                 mesh, capacity, first, second, shifts, measures, centroids, count)
+end
+
+function annulus_periodic_voronoi_corners(mesh, begins, from, capacity, vertices, shifts, count)
+    return ccall((:annulus_periodic_voronoi_corners, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, begins, from, capacity, vertices, shifts, count)
+end
+
+function annulus_periodic_voronoi_vertices(mesh, capacity, coordinates, count)
+    return ccall((:annulus_periodic_voronoi_vertices, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Csize_t}),
+                 mesh, capacity, coordinates, count)
 end
 
 function annulus_periodic_find_cells(mesh, points, coordinates, cells, shifts)

@@ -2,75 +2,21 @@
 // The functions of annulus.h for periodic boxes.
 #include <annulus/annulus.h>
 #include <annulus/arithmetic/environment.h>
+#include <annulus/c/periodic_handle.h>
 #include <annulus/c/structs.h>
 #include <annulus/periodic_mesh.h>
 
 #include <algorithm>
-#include <mutex>
-#include <optional>
-#include <variant>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 using namespace annulus;
 using namespace annulus::c;
 
 namespace {
-
-/// A Periodic_mesh and its lists, which are made on request and kept until it changes. Const members may run
-/// concurrently.
-template <int d>
-class Boxed {
-  public:
-    static constexpr int dimension = d;
-
-    Boxed(std::span<const Coordinates<d>> points, const Box<d>& box, const Periodic_options& options)
-        : mesh_(points, box, options) {}
-
-    [[nodiscard]] const Periodic_mesh<d>& mesh() const { return mesh_; }
-    /// For a call that may change the mesh.
-    [[nodiscard]] Periodic_mesh<d>& changing() {
-        cells_.reset();
-        neighbours_.reset();
-        return mesh_;
-    }
-    [[nodiscard]] const Periodic_cells<d>& cells() const {
-        const std::lock_guard lock(listing_);
-        if (!cells_) cells_ = mesh_.cells();
-        return *cells_;
-    }
-    [[nodiscard]] const Periodic_neighbours<d>& neighbours() const {
-        const std::lock_guard lock(listing_);
-        if (!neighbours_) neighbours_ = mesh_.neighbours();
-        return *neighbours_;
-    }
-
-  private:
-    Periodic_mesh<d> mesh_;
-    mutable std::mutex listing_;
-    mutable std::optional<Periodic_cells<d>> cells_;
-    mutable std::optional<Periodic_neighbours<d>> neighbours_;
-};
-
-}  // namespace
-
-/// The handle.
-struct annulus_periodic {
-    std::variant<std::monostate, Boxed<2>, Boxed<3>> mesh;
-    mutable Last_error error;
-};
-
-namespace {
-
-/// Calls `call` with the Boxed of the handle.
-template <class Mesh, class Call>
-int on(Mesh* mesh, Call call) noexcept {
-    return guarded(mesh, [&](Mesh& m) {
-        std::visit(
-            [&](auto& boxed) {
-                if constexpr (requires { boxed.mesh(); }) call(boxed);
-            },
-            m.mesh);
-    });
-}
 
 template <int d>
 std::span<const Coordinates<d>> as_points(const double* x, std::size_t points) {
@@ -90,32 +36,6 @@ Periodic_options periodic_options_of(const annulus_options* given) {
         throw Refused(ANNULUS_USAGE,
                       "in a periodic box annulus_options may set threads and report_changes, and strategy to \"auto\"");
     return {.threads = options.threads, .report_changes = options.report_changes};
-}
-
-void require_room(std::size_t capacity, std::size_t needed, const char* of) {
-    if (capacity < needed)
-        throw Refused(ANNULUS_WRONG_SIZE,
-                      "there is room for " + std::to_string(capacity) + " of " + std::to_string(needed) + ' ' + of);
-}
-/// Of a list: the count, which is needed if any array is there.
-void count_list(std::size_t capacity, std::initializer_list<const void*> arrays, std::size_t needed, const char* of,
-                std::size_t* count) {
-    *count = needed;
-    const bool any = std::any_of(arrays.begin(), arrays.end(), [](const void* array) { return array != nullptr; });
-    if (any || capacity > 0) require_room(capacity, needed, of);
-    if (!any && capacity > 0) throw Refused(ANNULUS_NULL_POINTER, "every array is NULL");
-}
-
-/// Copies numbers, or arrays of arrays of them, one after another.
-template <class From, class To>
-void flatten(const From& from, To*& to) {
-    if constexpr (requires { from.begin(); })
-        for (const auto& part : from) flatten(part, to);
-    else *to++ = from;
-}
-template <class From, class To>
-void copy_flat(const From& from, To* to) {
-    if (to != nullptr) flatten(from, to);
 }
 
 template <class To, class Read>
