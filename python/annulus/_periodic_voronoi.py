@@ -93,12 +93,14 @@ class PeriodicVoronoi(Diagram):
     def regions(self) -> list[list[int]]:
         """list of lists of int: the vertices of the cell of each point, in 2D counter-clockwise. A vertex is there
         several times, if several of its images are corners."""
-        return [list(part) for part in self._by_cell[1]]
+        begin, corners = self._cells
+        return [list(part) for part in np.split(corners[:, 0], begin[1:-1])] if len(begin) > 1 else []
 
     @functools.cached_property
     def region_shifts(self) -> list[Indices]:
         """list of ndarray of int32, shape (k, d): which images the vertices in `regions` are."""
-        return self._by_cell[2]
+        begin, corners = self._cells
+        return np.split(corners[:, 1:], begin[1:-1]) if len(begin) > 1 else []
 
     def ridge_corners(self, ridge: int) -> Floats:
         """The polygon of a ridge in 3D, its two ends in 2D.
@@ -142,7 +144,9 @@ class PeriodicVoronoi(Diagram):
         """
         if self.points.shape[1] != 2:
             raise Error("the cells are polyhedra, and have faces", "usage")
-        return self._at(self._by_cell[0][self._index(i)])
+        i = self._index(i)
+        begin, corners = self._cells
+        return self._at(corners[begin[i]:begin[i + 1]])
 
     def faces(self, i: int) -> list[Floats]:
         """The sides of the cell of point i.
@@ -164,35 +168,51 @@ class PeriodicVoronoi(Diagram):
             With the code ``unknown_vertex`` if there is no such index.
         """
         i = self._index(i)
-        out = [self.ridge_corners(int(r)) for r in np.flatnonzero(self.ridge_points[:, 0] == i)]
-        for r in np.flatnonzero(self.ridge_points[:, 1] == i):
-            corners = self._corners[self._begin[r]:self._begin[r + 1]][::-1].copy()
-            corners[:, 1:] -= self.ridge_shifts[r]
+        begin, sides = self._sides
+        out = []
+        for side in sides[begin[i]:begin[i + 1]]:
+            r = side % len(self.ridge_points)
+            corners = self._corners[self._begin[r]:self._begin[r + 1]]
+            if side != r:  # as the second point sees it
+                corners = self._moved(corners[::-1], self.ridge_shifts[r])
             out.append(self._at(corners))
         return out
 
     @functools.cached_property
-    def _by_cell(self) -> tuple[list[Indices], list[Indices], list[Indices]]:
-        """By point rows [vertex, shift] of its cell, and their parts."""
-        n = len(self.points)
-        d = self.points.shape[1]
-        if d == 2:  # each ridge begins at a corner; in the order of the directions of neighbours, which are exact
+    def _sides(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Of point i sides[begin[i]:begin[i + 1]]: ridge r for its first point, r + nridges for its second."""
+        ends = self.ridge_points.T.reshape(-1)
+        sides = np.argsort(ends, kind="stable")
+        return np.searchsorted(ends[sides], np.arange(len(self.points) + 1)), sides
+
+    @functools.cached_property
+    def _cells(self) -> tuple[NDArray[np.intp], Indices]:
+        """Of the cell of point i corners[begin[i]:begin[i + 1]], rows [vertex, shift]; in 2D counter-clockwise."""
+        size = np.diff(self._begin)
+        if self.points.shape[1] == 2:  # each side begins at a corner; directions of neighbours, in order, are exact
+            here, there = self._corners.reshape(-1, 2, 3).transpose(1, 0, 2)
             cell = self.ridge_points.T.reshape(-1)
-            corners = self._corners.reshape(-1, 2, 3)
-            back = corners[:, 1] - np.column_stack([np.zeros(len(corners), np.int32), self.ridge_shifts])
+            rows = np.concatenate([here, self._moved(there, self.ridge_shifts)])
             to = np.concatenate([self.vectors, -self.vectors])
             order = np.lexsort((np.arctan2(to[:, 1], to[:, 0]), cell))
-            rows = np.concatenate([corners[:, 0], back])[order]
-            cell = cell[order]
         else:
-            ridge = np.repeat(np.arange(len(self.ridge_points)), np.diff(self._begin))
-            here = np.column_stack([self.ridge_points[ridge, 0], self._corners])
-            there = np.column_stack([self.ridge_points[ridge, 1], self._corners])
-            there[:, 2:] -= self.ridge_shifts[ridge]
-            rows = np.unique(np.concatenate([here, there]), axis=0)
-            cell, rows = rows[:, 0], rows[:, 1:]
-        parts = np.split(rows, np.searchsorted(cell, np.arange(1, n))) if n else []
-        return parts, [p[:, 0] for p in parts], [p[:, 1:] for p in parts]
+            cell = np.repeat(self.ridge_points, size, axis=0).T.reshape(-1)
+            shifts = np.repeat(self.ridge_shifts, size, axis=0)
+            rows = np.concatenate([self._corners, self._moved(self._corners, shifts)])
+            order = np.lexsort((*rows.T[::-1], cell))
+        cell, rows = cell[order], rows[order]
+        if self.points.shape[1] == 3:  # a corner is in several sides
+            new = np.ones(len(cell), dtype=bool)
+            new[1:] = (cell[1:] != cell[:-1]) | np.any(rows[1:] != rows[:-1], axis=1)
+            cell, rows = cell[new], rows[new]
+        return np.searchsorted(cell, np.arange(len(self.points) + 1)), rows
+
+    @staticmethod
+    def _moved(corners: Indices, shifts: Indices) -> Indices:
+        """Corners as the second points of their ridges see them."""
+        out = corners.copy()
+        out[:, 1:] -= shifts
+        return out
 
     def _at(self, corners: Indices) -> Floats:
         places: Floats = self.vertices[corners[:, 0]] + corners[:, 1:] @ self.box

@@ -80,6 +80,15 @@ def test_cells_fill_the_box(matplotlib, box):
         assert np.all(distances[np.arange(len(owners)), owners] <= distances.min(axis=1) + 1e-12)
 
 
+@pytest.mark.parametrize("removed", [[5], [29], [28, 29]])
+def test_free_indices_have_no_piece_of_a_box(matplotlib, removed):
+    dt = annulus.MovingDelaunay(X[:30], box=[1, 1])
+    dt.remove(removed)
+    polygons, values = drawn(dt.plot())
+    assert set(annulus._plot.cells_in_box(dt)[1].tolist()) == set(range(30)) - set(removed)
+    assert np.isclose(sum(map(area, polygons)), 1, rtol=1e-9) and not np.isnan(values).any()
+
+
 def test_edges(matplotlib):
     dt = annulus.MovingDelaunay(X)
     dt.remove([5])
