@@ -13,7 +13,7 @@ namespace {
 
 static_assert(sizeof(annulus::Coordinates<3>) == 3 * sizeof(double), "geogram reads coordinates one after the other");
 
-class Geogram final : public Contestant {
+class Geogram final : public Contestant<3> {
   public:
     Geogram() {
         GEO::initialize();  // further calls have no effect
@@ -35,6 +35,6 @@ class Geogram final : public Contestant {
 
 }  // namespace
 
-std::unique_ptr<Contestant> geogram() { return std::make_unique<Geogram>(); }
+std::unique_ptr<Contestant<3>> geogram() { return std::make_unique<Geogram>(); }
 
 }  // namespace bench

@@ -17,7 +17,7 @@ void check(HXTStatus status, const char* what) {
     if (status < 0) throw std::runtime_error(std::string("HXT: ") + what + ": status " + std::to_string(status));
 }
 
-class Hxt final : public Contestant {
+class Hxt final : public Contestant<3> {
   public:
     explicit Hxt(bool reorders) : reorders_(reorders) { check(hxtMeshCreate(&mesh_), "hxtMeshCreate"); }
     Hxt(const Hxt&) = delete;
@@ -64,7 +64,7 @@ class Hxt final : public Contestant {
 
 }  // namespace
 
-std::unique_ptr<Contestant> hxt() { return std::make_unique<Hxt>(false); }
-std::unique_ptr<Contestant> hxt_reordering() { return std::make_unique<Hxt>(true); }
+std::unique_ptr<Contestant<3>> hxt() { return std::make_unique<Hxt>(false); }
+std::unique_ptr<Contestant<3>> hxt_reordering() { return std::make_unique<Hxt>(true); }
 
 }  // namespace bench

@@ -12,13 +12,14 @@ namespace {
 
 using namespace annulus;
 
-class Mesh final : public Contestant {
+template <int d>
+class Mesh final : public Contestant<d> {
   public:
     explicit Mesh(bool anew) : anew_(anew) { options_.strategy = Strategy::rebuild; }
 
-    void rebuild(const Points<3>& x) override {
-        if (mesh_ && mesh_->number_of_vertices() == x.size()) (void)mesh_->move_all(std::span<const Coordinates<3>>(x));
-        else mesh_.emplace(std::span<const Coordinates<3>>(x), options_);
+    void rebuild(const Points<d>& x) override {
+        if (mesh_ && mesh_->number_of_vertices() == x.size()) (void)mesh_->move_all(std::span<const Coordinates<d>>(x));
+        else mesh_.emplace(std::span<const Coordinates<d>>(x), options_);
     }
     [[nodiscard]] std::size_t cells() const override { return mesh_->cells().vertices.size(); }
     void forget() override {
@@ -28,12 +29,23 @@ class Mesh final : public Contestant {
   private:
     bool anew_;
     Options options_;
-    std::optional<Moving_mesh<3>> mesh_;
+    std::optional<Moving_mesh<d>> mesh_;
 };
 
 }  // namespace
 
-std::unique_ptr<Contestant> moving_mesh() { return std::make_unique<Mesh>(false); }
-std::unique_ptr<Contestant> moving_mesh_anew() { return std::make_unique<Mesh>(true); }
+template <int d>
+std::unique_ptr<Contestant<d>> moving_mesh() {
+    return std::make_unique<Mesh<d>>(false);
+}
+template <int d>
+std::unique_ptr<Contestant<d>> moving_mesh_anew() {
+    return std::make_unique<Mesh<d>>(true);
+}
+
+template std::unique_ptr<Contestant<2>> moving_mesh<2>();
+template std::unique_ptr<Contestant<3>> moving_mesh<3>();
+template std::unique_ptr<Contestant<2>> moving_mesh_anew<2>();
+template std::unique_ptr<Contestant<3>> moving_mesh_anew<3>();
 
 }  // namespace bench

@@ -83,6 +83,9 @@ int compare(Motion<d>& motion, const Comparison& comparison, const std::string& 
     out["cgal_ns"] = quantile(nanoseconds, 0.5);
     std::printf("%s: %.3g spacings a step, cgal %.0f ns", name.c_str(), quantile(displacement, 0.5),
                 quantile(nanoseconds, 0.5));
+    double rebuild = 0.0;
+    for (const Runner<d>& r : runners)
+        if (r.name == "rebuild:mesh") rebuild = quantile(r.seconds, 0.5);
     int failed = 0;
     for (Runner<d>& r : runners) {
         std::vector<double> ratio;
@@ -116,6 +119,7 @@ int compare(Motion<d>& motion, const Comparison& comparison, const std::string& 
                        {"exact", share(r.report.statistics.arithmetic.exact)},
                        {"reinserted", share(r.report.moves.reinserted)},
                        {"audit", r.failed_audits == 0}};
+        if (rebuild > 0.0) out[r.name]["most expensive, in ours"] = quantile(r.seconds, 1.0) / rebuild;
     }
     std::printf("\n");
     std::fflush(stdout);

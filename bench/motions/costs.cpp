@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Costs that do not depend on a motion: construction, also by several threads, memory, a step in which all vertices
-// pass, the move of one vertex; Voronoi volumes. One JSON object per line.
+// Costs that do not depend on a motion: construction and rebuilds, also by several threads, memory, a step in which all
+// vertices pass, the move of one vertex; Voronoi volumes. One JSON object per line.
 #include "families.h"
 #include "stopwatch.h"
 
@@ -15,10 +15,10 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -27,11 +27,13 @@ namespace {
 using namespace annulus;
 using nlohmann::ordered_json;
 
+/// Processor time; with several threads, by the clock.
 template <class F>
-double nanoseconds(F f) {
-    const auto begin = std::chrono::steady_clock::now();
+double nanoseconds(F f, int threads = 1) {
+    const bench::Stopwatch watch(threads);
+    const double begin = watch.seconds();
     f();
-    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+    return 1e9 * (watch.seconds() - begin);
 }
 
 /// Bytes that are allocated, by malloc's own count.
@@ -138,7 +140,24 @@ void costs(const char* name, std::size_t n, double spacings, const std::string& 
     say(out, file);
 }
 
-/// Construction by one thread and by several, in turn: the medians, also of the ratios of pairs.
+/// By one thread and by several, in turn, by the clock: the medians, also of the ratios of pairs.
+void in_turn(ordered_json out, int repeat, const std::function<double(int)>& build, const std::string& file) {
+    std::vector<double> one;
+    std::vector<double> some;
+    std::vector<double> ratio;
+    const int threads = out["threads"].get<int>();
+    for (int k = 0; k < repeat; ++k) {
+        one.push_back(build(1));
+        some.push_back(build(threads));
+        ratio.push_back(one.back() / some.back());
+    }
+    out["one_ns"] = median(one);
+    out["ns"] = median(some);
+    out["ratio"] = median(ratio);
+    say(out, file);
+}
+
+/// Construction by one thread and by several.
 template <class Moving, int d>
 void construction(const char* name, std::size_t n, int threads, const std::string& file) {
     const bench::Scene<d> scene("uniform", "walk", n, 0.0, 1);
@@ -147,25 +166,30 @@ void construction(const char* name, std::size_t n, int threads, const std::strin
         options.threads = with;
         std::unique_ptr<Moving> dt;
         return nanoseconds(
-                   [&] { dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(scene.points()), options); }) /
+                   [&] { dt = std::make_unique<Moving>(std::span<const Coordinates<d>>(scene.points()), options); },
+                   threads) /
                static_cast<double>(n);
     };
-    std::vector<double> one;
-    std::vector<double> some;
-    std::vector<double> ratio;
-    for (int k = 0; k < 3; ++k) {
-        one.push_back(build(1));
-        some.push_back(build(threads));
-        ratio.push_back(one.back() / some.back());
-    }
-    say({{"what", name},
-         {"dimension", d},
-         {"points", n},
-         {"threads", threads},
-         {"one_ns", median(one)},
-         {"ns", median(some)},
-         {"ratio", median(ratio)}},
-        file);
+    in_turn({{"what", name}, {"dimension", d}, {"points", n}, {"threads", threads}}, 3, build, file);
+}
+
+/// The same of rebuilds of a mesh, whose points are elsewhere each time.
+void rebuilds(std::size_t n, int threads, const std::string& file) {
+    Options options;
+    options.strategy = Strategy::rebuild;
+    bench::Points<3> x = bench::Scene<3>("uniform", "walk", n, 0.0, 1).points();
+    Moving_mesh<3> one(std::span<const Coordinates<3>>(x), options);
+    options.threads = threads;
+    Moving_mesh<3> some(std::span<const Coordinates<3>>(x), options);
+    std::uint64_t seed = 1;
+    const auto build = [&](int with) {
+        if (with == 1) x = bench::Scene<3>("uniform", "walk", n, 0.0, ++seed).points();
+        Moving_mesh<3>& mesh = with == 1 ? one : some;
+        return nanoseconds([&] { (void)mesh.move_all(std::span<const Coordinates<3>>(x)); }, threads) /
+               static_cast<double>(n);
+    };
+    in_turn({{"what", "rebuild, Moving_mesh<3>"}, {"dimension", 3}, {"points", n}, {"threads", threads}}, 7, build,
+            file);
 }
 
 /// Voronoi volumes after steps in which `movers` vertices move by a hundredth of a spacing: those that a mesh keeps,
@@ -214,6 +238,7 @@ int main(int argc, char** argv) {
     std::size_t n = 100000;
     int threads = 1;
     bool of_volumes = false;
+    bool of_rebuilds = false;
     std::string json;
     CLI::App app{"What does not depend on a motion, of both classes in both dimensions."};
     app.add_option("POINTS", n)->check(CLI::Range(1000, 100000000));
@@ -221,7 +246,12 @@ int main(int argc, char** argv) {
     app.add_option("--threads", threads, "more than one: construction by so many, and nothing else")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--volumes", of_volumes, "Voronoi volumes after small steps, and nothing else");
+    app.add_flag("--rebuilds", of_rebuilds, "with --threads: rebuilds of Moving_mesh<3>, and nothing else");
     CLI11_PARSE(app, argc, argv);
+    if (of_rebuilds) {
+        rebuilds(n, threads, json);
+        return 0;
+    }
     if (of_volumes) {
         for (const std::size_t movers : {std::size_t{1}, n / 1000, n / 100, n}) {
             volumes<3>(n, movers, json);

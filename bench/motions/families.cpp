@@ -12,8 +12,10 @@ namespace bench {
 template <int d>
 Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n, double spacings, std::uint64_t seed)
     : family_(family), motion_(motion), random_(seed), scale_(n, 1.0), face_(n, 0) {
-    if (std::find(std::begin(families), std::end(families), family) == std::end(families) &&
-        std::find(std::begin(lattices), std::end(lattices), family) == std::end(lattices))
+    const auto is_in = [family](const auto& names) {
+        return std::find(std::begin(names), std::end(names), family) != std::end(names);
+    };
+    if (!is_in(families) && !is_in(lattices) && !is_in(irregular))
         throw std::invalid_argument("no family " + std::string(family));
     if (std::find(std::begin(kinds_of_motion), std::end(kinds_of_motion), motion) == std::end(kinds_of_motion))
         throw std::invalid_argument("no motion " + std::string(motion));
@@ -40,6 +42,20 @@ Scene<d>::Scene(std::string_view family, std::string_view motion, std::size_t n,
                 norm += c * c;
             }
             for (double& c : p) c *= radius / std::sqrt(norm);
+        } else if (family == "outliers") {
+            if (i % 100 == 0)
+                for (double& c : p) c = 1000.0 * random_.normal();
+        } else if (family == "hubs") {
+            const std::size_t hub = i % 8;
+            double norm = 0.0;
+            for (double& c : p) {
+                c = random_.normal();
+                norm += c * c;
+            }
+            const double radius = i < 8 ? 0.0 : 1.0 + 1e-3 * random_.normal();
+            for (double& c : p) c *= radius / std::sqrt(norm);
+            p[0] += 5.0 * static_cast<double>(hub % 4);
+            p[1] += 5.0 * static_cast<double>(hub / 4);
         } else if (family == "slab") {
             p[d - 1] *= 0.01;
         } else if (family == "clusters") {

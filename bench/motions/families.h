@@ -22,6 +22,11 @@ inline constexpr std::string_view families[] = {"uniform", "sphere", "slab", "cl
 /// regular grid with integers as coordinates, where the corners of every cube are exactly cospherical.
 inline constexpr std::string_view lattices[] = {"jittered", "integers"};
 
+/// Families that are hard on an order of insertion or on stars. outliers: in the unit cube, but one in a hundred far
+/// away, by Gaussians of 1,000. hubs: eight vertices, and around each as many at a distance of 1 with noise of 1e-3,
+/// most of them its neighbours.
+inline constexpr std::string_view irregular[] = {"outliers", "hubs"};
+
 /// How points move. walk: every coordinate by independent Gaussians at every step. drift: all by the same, a Gaussian
 /// each step. shear: x += s spacings times y. few: one point in a hundred walks. burst: points rest, and at each eighth
 /// step walk by eight times as much.

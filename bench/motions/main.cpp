@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
     std::string json;
     CLI::App app{"Strategies and CGAL's rebuild on one motion of points, step by step in turn."};
     app.add_option("-d,--dimension", choice.dimension)->check(CLI::Range(2, 3));
-    app.add_option("-f,--family", choice.family, "uniform, sphere, slab, clusters, faces, lattice, ball");
+    app.add_option("-f,--family", choice.family,
+                   "uniform, sphere, slab, clusters, faces, lattice, ball; jittered, integers; outliers, hubs");
     app.add_option("-m,--motion", choice.motion,
                    "walk, drift, shear, few, burst; dynamics (in space) and crowd (in the plane), which have neither "
                    "family nor spacings");

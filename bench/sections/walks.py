@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random walks, families of points, other motions, numbers of points, two threads."""
+"""Random walks, families of points, other motions, the dearest step, numbers of points, two threads."""
 
-from .measure import HEAD, number, reached, row
+from .measure import HEAD, audits, limits, number, reached, row
 
 MUST = {3: {0.001: 15, 0.01: 10, 0.03: 5, 0.1: 2.8, 0.3: 2.8, 1: 2.8},
         2: {0.001: 20, 0.01: 8, 0.03: 6, 0.1: 4, 0.3: 4, 1: 4}}
 AIM = {3: {0.001: 25, 0.01: 16, 0.03: 7, 0.1: 4, 0.3: 4, 1: 4},
        2: {0.001: 30, 0.01: 14, 0.03: 8, 0.1: 5.5, 0.3: 5.5, 1: 5.5}}
-FAMILIES_MUST = {3: {"sphere": 4, "slab": 3, "clusters": 3, "faces": 2.5, "lattice": 3.3, "ball": 3},
-                 2: {"sphere": 1.8, "slab": 4, "clusters": 4, "lattice": 2.5, "ball": 4}}
-FAMILIES_AIM = {3: {"sphere": 6, "slab": 4.5, "clusters": 3.8, "faces": 3.5, "lattice": 4.5, "ball": 4.5},
-                2: {"sphere": 2.4, "slab": 5.5, "clusters": 5.5, "lattice": 3.5, "ball": 5.5}}
+FAMILIES_MUST = {3: {"sphere": 4, "slab": 3, "clusters": 3, "faces": 2.5, "lattice": 3.3, "ball": 3,
+                     "jittered": 3, "integers": 1.8},
+                 2: {"sphere": 1.8, "slab": 4, "clusters": 4, "lattice": 2.5, "ball": 4, "jittered": 2.5,
+                     "integers": 2.5}}
+FAMILIES_AIM = {3: {"sphere": 6, "slab": 4.5, "clusters": 3.8, "faces": 3.5, "lattice": 4.5, "ball": 4.5,
+                    "jittered": 4.5, "integers": 2.5},
+                2: {"sphere": 2.4, "slab": 5.5, "clusters": 5.5, "lattice": 3.5, "ball": 5.5, "jittered": 3.5,
+                    "integers": 3.5}}
 
 
 def steps(bench):
@@ -29,7 +33,7 @@ def walks(bench):
 def families(bench):
     for d, n in ((3, 4000), (2, 10000)):
         yield from [f"## Other families, walk, {d}D, {n} points (sphere in space: 1,000)", "", *HEAD]
-        for family in ("sphere", "slab", "clusters", "faces", "lattice", "ball"):
+        for family in ("sphere", "slab", "clusters", "faces", "lattice", "ball", "jittered", "integers"):
             for s in (1e-3, 0.01):
                 few = (family, d) == ("sphere", 3)
                 yield row(f"{family}, s = {s:g}", FAMILIES_MUST[d].get(family, 0.9), FAMILIES_AIM[d].get(family, 1.0),
@@ -44,6 +48,31 @@ def motions(bench):
         for s in (1e-3, 0.1):
             yield row(f"{motion}, s = {s:g}", 0.95, 1.0,
                       bench.motion(dimension=3, motion=motion, points=8000, spacings=s, steps=steps(bench), warm=12))
+    yield ""
+
+
+# Those whose steps cost most in PROFILES.md: dimension, family, motion, spacings.
+DEAREST = ((3, "uniform", "walk", 0.03), (3, "ball", "walk", 0.03), (3, "slab", "walk", 0.003),
+           (3, "slab", "walk", 0.01), (3, "slab", "burst", 0.008), (3, "clusters", "walk", 0.003),
+           (3, "clusters", "walk", 0.01), (3, "clusters", "walk", 0.03), (2, "uniform", "walk", 0.1),
+           (2, "slab", "walk", 0.05), (2, "clusters", "walk", 0.2), (2, "lattice", "shear", 0.01))
+
+
+def dearest(bench):
+    """The dearest single step, in rebuilds of ours."""
+    yield from ["## The dearest step, 3,000 points in 3D, 5,000 in 2D", "",
+                "`Moving_mesh` with `auto`, all steps of all runs; in units of the median rebuild of `Moving_mesh` "
+                "with the strategy `rebuild` in the same run.", "",
+                "| | dearest, in rebuilds | must | reached | aim | median step, in rebuilds | audit |",
+                "|---|---|---|---|---|---|---|"]
+    for d, family, motion, s in DEAREST:
+        runs = [bench.call("annulus-motions", dimension=d, family=family, motion=motion,
+                           points=3000 if d == 3 else 5000, spacings=s, steps=8 if bench.quick else 40, warm=0,
+                           seed=seed, strategies="auto:mesh,rebuild:mesh")[0] for seed in range(1, bench.repeat + 1)]
+        most = max(r["auto:mesh"]["most expensive, in ours"] for r in runs)
+        usual = sorted(r["auto:mesh"]["ns"] / r["rebuild:mesh"]["ns"] for r in runs)[len(runs) // 2]
+        yield (f"| {family}, {motion}, {d}D, s = {s:g} | {most:.2f} | {limits(most, 1.5, 1.2, False)} | {usual:.2f} "
+               f"| {audits(runs, ('auto:mesh', 'rebuild:mesh'))} |")
     yield ""
 
 
@@ -81,6 +110,10 @@ def threads(bench):
     for r in bench.call("annulus-costs", n, threads=2):
         yield (f"| construction, `{r['what']}`, {n} points | {r['one_ns']:.0f} | {r['ns']:.0f} | {r['ratio']:.2f} | | "
                "| |")
+    half = n // 2
+    for r in bench.call("annulus-costs", half, threads=2, rebuilds=True):
+        yield (f"| rebuild, `Moving_mesh<3>`, {half} points | {r['one_ns']:.0f} | {r['ns']:.0f} | {r['ratio']:.2f} "
+               f"| {limits(r['ratio'], 1.5, 1.8)} |")
     yield (f"| CGAL's parallel insertion, 3D, {n} points | {cgal[1]:.0f} | {cgal[2]:.0f} | {cgal[1] / cgal[2]:.2f} | | "
            "| |")
     yield from ["",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "peak_memory.h"
+#include "first_use.h"
 
 #include <malloc.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -23,45 +24,59 @@ double memory(const std::string& name) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-double grown(Make_contestant make, const Points<3>& x) {
+template <int d>
+First_use measured(Make_contestant<d> make, const Points<d>& x) {
     const std::size_t few = 64;
-    Points<3> some;
+    Points<d> some;
     for (std::size_t i = 0; i < x.size(); i += x.size() / few + 1) some.push_back(x[i]);
     make()->rebuild(some);
     (void)malloc_trim(0);
     // Writing 5 makes the peak what is resident now.
     std::ofstream("/proc/self/clear_refs") << "5" << std::flush;
     const double before = memory("VmHWM");
+    const double begin = processor_seconds();
     const auto contestant = make();
     contestant->rebuild(x);
-    return memory("VmHWM") - before;
+    const double seconds = processor_seconds() - begin;
+    return {memory("VmHWM") - before, seconds};
 }
 
 }  // namespace
 
-double peak_memory(Make_contestant make, const Points<3>& x) {
-    double bytes = std::numeric_limits<double>::quiet_NaN();
+double processor_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <int d>
+First_use first_use(Make_contestant<d> make, const Points<d>& x) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    First_use result{nan, nan};
     int ends[2];
-    if (pipe(ends) != 0) return bytes;
+    if (pipe(ends) != 0) return result;
     std::fflush(nullptr);
     const pid_t child = fork();
     if (child == 0) {
         try {
-            const double b = grown(make, x);
-            (void)!write(ends[1], &b, sizeof b);
+            const First_use now = measured<d>(make, x);
+            (void)!write(ends[1], &now, sizeof now);
         } catch (const std::exception& e) {
             std::fprintf(stderr, "annulus-peers: %s\n", e.what());
         }
         _exit(0);
     }
     (void)close(ends[1]);
-    double measured = 0.0;
+    First_use now{};
     if (child > 0) {
-        if (read(ends[0], &measured, sizeof measured) == sizeof measured) bytes = measured;
+        if (read(ends[0], &now, sizeof now) == sizeof now) result = now;
         (void)waitpid(child, nullptr, 0);
     }
     (void)close(ends[0]);
-    return bytes;
+    return result;
 }
+
+template First_use first_use<2>(Make_contestant<2>, const Points<2>&);
+template First_use first_use<3>(Make_contestant<3>, const Points<3>&);
 
 }  // namespace bench
