@@ -50,9 +50,9 @@ def hard(bench):
     """Outliers, hubs, points in convex position: what a step costs beside CGAL's rebuild."""
     yield from ["## Outliers, hubs, points in convex position", "",
                 "What a call costs over CGAL's insertion of all points, `Moving_mesh` with `auto`. Outliers: one point "
-                "in a hundred is some 1,000 times as far away as the others are wide. Hubs: eight vertices with thousands "
-                "of neighbours. Convex position: a 64th of the points of a sphere or circle move on it in one call, "
-                "by index.", "",
+                "in a hundred is some 1,000 times as far away as the others are wide. Hubs: eight vertices with "
+                "thousands of neighbours. Convex position: a 64th of the points of a sphere or circle move on it "
+                "in one call, by index.", "",
                 "| | cost over CGAL's rebuild | must | reached | aim | most expensive | ours, ns | CGAL, ns | audit |",
                 "|---|---|---|---|---|---|---|---|---|"]
     for d, n in ((3, 8000), (2, 20000)):
