@@ -21,7 +21,7 @@
 namespace annulus::testing::periodic_diagrams {
 
 template <int d>
-using Points = std::vector<Coordinates<d>>;
+using Point_list = std::vector<Coordinates<d>>;
 
 inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -118,7 +118,7 @@ void expect_lists(const Periodic_mesh<d>& mesh, const Periodic_voronoi_diagram<d
 
 /// The area of a polygon with this normal and its centroid, relative to `from`.
 template <int d>
-std::pair<double, Coordinates<d>> polygon(const Points<d>& corners, const Coordinates<d>& normal) {
+std::pair<double, Coordinates<d>> polygon(const Point_list<d>& corners, const Coordinates<d>& normal) {
     Coordinates<d> centroid{};
     if constexpr (d == 2) {
         for (std::size_t k = 0; k < 2; ++k) centroid[k] = (corners[0][k] + corners[1][k]) / 2;
@@ -145,7 +145,7 @@ template <int d>
 void expect_polygons(const Periodic_mesh<d>& mesh, const Periodic_voronoi_diagram<d>& v) {
     const std::size_t n = mesh.index_bound();
     std::vector<double> volume(n, 0), surface(n, 0);
-    Points<d> moment(n);
+    Point_list<d> moment(n);
     for (std::size_t f = 0; f < v.pair.size(); ++f) {
         CAPTURE(f);
         const auto ring = corners_of<d>(v, f);
@@ -156,7 +156,7 @@ void expect_polygons(const Periodic_mesh<d>& mesh, const Periodic_voronoi_diagra
         REQUIRE(ring.size() >= (d == 2 ? 2 : 3));
         CHECK(std::set<Corner<d>>(ring.begin(), ring.end()).size() == ring.size());
         const auto& x = mesh.points()[at(v.pair[f][0])];
-        Points<d> corners;
+        Point_list<d> corners;
         double size = 0;
         for (const auto& [vertex, shift] : ring) {
             CHECK(v.vertex_of_cell[at(vertex)] == vertex);

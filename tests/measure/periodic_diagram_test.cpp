@@ -52,10 +52,10 @@ void expect_any_box(std::uint64_t seed) {
 }
 
 template <int d>
-void expect_crystal(const Points<d>& basis, std::size_t facets, std::size_t vertices) {
+void expect_crystal(const Point_list<d>& basis, std::size_t facets, std::size_t vertices) {
     for (const int k : {1, 2}) {
         CAPTURE(d, k, facets);
-        Points<d> x = crystal<d>(basis, k, 1);
+        Point_list<d> x = crystal<d>(basis, k, 1);
         for (int step = 0; step < 3; ++step) {
             const Periodic_mesh<d> mesh(x, cube<d>(k));
             expect_whole<d>(mesh);
@@ -76,9 +76,9 @@ void expect_crystal(const Points<d>& basis, std::size_t facets, std::size_t vert
 
 /// All images from -reach to reach, the given points first.
 template <int d>
-std::pair<Points<d>, std::map<std::pair<Index, Shift<d>>, std::size_t>> images_of(const Periodic_mesh<d>& mesh,
+std::pair<Point_list<d>, std::map<std::pair<Index, Shift<d>>, std::size_t>> images_of(const Periodic_mesh<d>& mesh,
                                                                                   int reach) {
-    Points<d> all;
+    Point_list<d> all;
     std::map<std::pair<Index, Shift<d>>, std::size_t> number;
     std::vector<Shift<d>> shifts{{}};
     for (int k = -reach; k <= reach; ++k)
@@ -145,7 +145,7 @@ void expect_as_open(const Periodic_mesh<d>& mesh) {
         CHECK(v.measure[f] == Approx(open.measure[k]).epsilon(2 * voronoi_diagram_error));
         for (std::size_t a = 0; a < d; ++a) CHECK(v.centroid[f][a] == Approx(open.centroid[k][a]).margin(1e-8));
         // The same corners in the same order, from any of them on; in 2D in any order.
-        Points<d> here, there;
+        Point_list<d> here, there;
         for (const auto& [vertex, shift] : corners_of<d>(v, f))
             here.push_back(image<d>(v.vertex[at(vertex)], shift, mesh.box()));
         for (Index r = open.ring_begin[k]; r < open.ring_begin[k + 1]; ++r)
@@ -199,7 +199,7 @@ TEST_CASE("Voronoi diagrams in periodic boxes are those of rational numbers", "[
     expect_rational<3>({sc, cube<3>(1)}, 2);
     expect_rational<3>({bcc, cube<3>(1)}, 2);
     expect_rational<3>({fcc, cube<3>(1)}, 2);
-    expect_rational<2>({Points<2>{{0, 0}, {.5, .5}}, cube<2>(1)}, 3);
+    expect_rational<2>({Point_list<2>{{0, 0}, {.5, .5}}, cube<2>(1)}, 3);
 }
 
 TEST_CASE("Voronoi diagrams in periodic boxes are those of the images as an open set", "[measure][periodic][voronoi]") {
@@ -214,7 +214,7 @@ TEST_CASE("Voronoi diagrams in periodic boxes are those of the images as an open
 
 TEST_CASE("A Voronoi diagram in a periodic box without points is empty, and scales with the box",
           "[measure][periodic][voronoi]") {
-    Periodic_mesh<3> mesh(Points<3>{}, cube<3>(1));
+    Periodic_mesh<3> mesh(Point_list<3>{}, cube<3>(1));
     CHECK(mesh.voronoi().pair.empty());
     CHECK(mesh.voronoi().vertex.empty());
     CHECK(mesh.voronoi().ring_begin == std::vector<Index>{0});
@@ -247,7 +247,7 @@ TEST_CASE("A Voronoi diagram in a periodic box without points is empty, and scal
 TEST_CASE("Voronoi diagrams in periodic boxes that are very thin have the measures of lines",
           "[measure][periodic][voronoi]") {
     const double thin = 1e-12;
-    const Periodic_mesh<2> mesh(Points<2>{{0.0, 0}, {0.25, 0}, {0.625, 0}}, Box<2>::orthorhombic({1, thin}));
+    const Periodic_mesh<2> mesh(Point_list<2>{{0.0, 0}, {0.25, 0}, {0.625, 0}}, Box<2>::orthorhombic({1, thin}));
     const auto v = mesh.voronoi();
     const std::array<double, 3> width{0.3125, 0.3125, 0.375};
     for (std::size_t i = 0; i < 3; ++i) CHECK(v.volume[i] == Approx(thin * width[i]).epsilon(1e-9));
