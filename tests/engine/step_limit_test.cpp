@@ -55,7 +55,8 @@ TEMPLATE_TEST_CASE_SIG("No step of auto costs more than one and a half rebuilds 
     // clang-format off
     const std::vector<Case> in_2d{
         {"slab", "walk", 0.05}, {"slab", "walk", 0.07}, {"clusters", "walk", 0.2}, {"clusters", "walk", 0.001},
-        {"uniform", "few", 0.01}, {"ball", "burst", 0.01}, {"lattice", "shear", 0.003}, {"lattice", "shear", 0.05}};
+        {"uniform", "few", 0.01}, {"ball", "burst", 0.01}, {"lattice", "shear", 0.003},
+        {"lattice", "shear", 0.05, 1.5, 8}};
     const std::vector<Case> in_3d{
         {"slab", "walk", 0.003}, {"slab", "walk", 0.01, 1.5, 6}, {"slab", "burst", 0.001},
         {"uniform", "walk", 0.03, 1.05}, {"ball", "walk", 0.03}, {"clusters", "walk", 0.003},

@@ -77,7 +77,7 @@ void expect_crystal(const Point_list<d>& basis, std::size_t facets, std::size_t 
 /// All images from -reach to reach, the given points first.
 template <int d>
 std::pair<Point_list<d>, std::map<std::pair<Index, Shift<d>>, std::size_t>> images_of(const Periodic_mesh<d>& mesh,
-                                                                                  int reach) {
+                                                                                      int reach) {
     Point_list<d> all;
     std::map<std::pair<Index, Shift<d>>, std::size_t> number;
     std::vector<Shift<d>> shifts{{}};
