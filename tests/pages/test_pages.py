@@ -53,14 +53,14 @@ BEGINS = """(() => {
   const numbers = [...document.querySelectorAll('.numbers')].pop();
   const pictures = [...document.querySelectorAll('svg.plot,svg.mesh')];
   return first.matches('p.finding') &&
-    pictures.every(p => p.compareDocumentPosition(numbers) & Node.DOCUMENT_POSITION_FOLLOWING); })()"""
+    pictures.every(p => !numbers || p.compareDocumentPosition(numbers) & Node.DOCUMENT_POSITION_FOLLOWING); })()"""
 
 # Colours of each legend that are equal, and colours of faces that no legend has.
 COLOURS = """(() => {
   const fill = e => getComputedStyle(e).fill, found = [], known = new Set();
   for (const keys of document.querySelectorAll('.keys')) {
     const fills = [...keys.querySelectorAll('.face')].map(fill);
-    if (new Set(fills).size !== 6) found.push('legend: ' + fills);
+    if (fills.length < 5 || new Set(fills).size !== fills.length) found.push('legend: ' + fills);
     fills.forEach(f => known.add(f));
   }
   for (const face of document.querySelectorAll('.face')) if (!known.has(fill(face))) found.push(face.outerHTML);
@@ -237,7 +237,9 @@ class Pages(BrowserTest):
                 there = [k for k in keys(column) if k is not None]
                 self.assertEqual(there, sorted(there, reverse=direction == "descending"))
                 self.assertEqual(keys(column)[: len(there)], there)  # cells without a number come last
-                self.assertGreater(len(there), 0)
+                name = page.evaluate(f"{table}.tHead.rows[0].cells[{column}].textContent")
+                if name != "within tolerance":  # no strategy of the table may have tested any
+                    self.assertGreater(len(there), 0, name)
         # The keyboard works like the mouse.
         page.evaluate(f"document.querySelector('#head-{number}-1').focus()")
         page.press("Enter")
