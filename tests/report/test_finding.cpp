@@ -152,7 +152,7 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     CHECK(joined(findings(comparison)) ==
           "The 2 strategies took about as long: 125 ms for keeping the triangulation in an iteration by the wall "
           "clock, the "
-          "median of 3 steps.\n");
+          "median of 3 iterations.\n");
     CHECK(median_step(comparison.runs[0]) == 0.125);
     comparison.runs[0].steps.pop_back();
     CHECK(median_step(comparison.runs[0]) == 0.1125);
