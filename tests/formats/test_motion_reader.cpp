@@ -189,6 +189,48 @@ TEST_CASE("long lines and many empty ones", "[io][motion][deep]") {
                  [](const auto& file) { (void)all_of(file); });
 }
 
+TEMPLATE_TEST_CASE_SIG("boxes that are written are read back, bit for bit", "[io][motion][periodic]", ((int d), d), 2,
+                       3) {
+    const Temporary_directory directory;
+    typename Box<d>::Vectors skewed{};
+    for (std::size_t i = 0; i < d; ++i)
+        for (std::size_t k = 0; k < d; ++k)
+            skewed[i][k] = i == k ? (i == 1 ? -1.1 : 0.7) : 0.1 / static_cast<double>(3 + i + 2 * k);
+    typename Box<d>::Vectors upright{}, left{};
+    for (std::size_t i = 0; i < d; ++i) {
+        upright[i][i] = 0.1 + static_cast<double>(i);
+        left[i][d - 1 - i] = 0.3;
+    }
+    for (const Format format : {Format::xyz, Format::lammps})
+        for (const auto& vectors : {skewed, upright, left}) {
+            Generated_motion<d> motion(Box<d>(vectors), generate<d>(Point_family::uniform, 20, 3), Motion_family::shear,
+                                       0.3, 3);
+            std::vector<Box<d>> expected;
+            std::string text;
+            for (std::uint64_t i = 0; i < 4; ++i, motion.step()) {
+                expected.push_back(*motion.box());
+                append_frame<d>(text, format, i, motion.points(), motion.box());
+            }
+            Motion_options options;
+            options.format = name_of(format);
+            options.box.taken = true;
+            const Recorded_motion read = read_motion(directory.file("a", text), options);
+            REQUIRE(read.frames.size() == 4);
+            for (std::size_t i = 0; i < 4; ++i) {
+                REQUIRE(read.frames[i].box);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    Coordinates<3> vector{0, 0, 1};
+                    if (k < d) {
+                        vector = {};
+                        std::copy_n(expected[i].vectors()[k].begin(), d, vector.begin());
+                    }
+                    CHECK(read.frames[i].box->vectors[k] == vector);
+                    CHECK((k >= d || read.frames[i].box->periodic[k]));
+                }
+            }
+        }
+}
+
 TEMPLATE_TEST_CASE_SIG("frames that are written are read back, bit for bit", "[io][motion]", ((int d), d), 2, 3) {
     const Temporary_directory directory;
     for (const Format format : written_formats)

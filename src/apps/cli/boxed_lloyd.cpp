@@ -15,7 +15,7 @@
 #include <apps/cli/volume_scatter.h>
 #include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
-#include <apps/motion/generated_points.h>
+#include <apps/motion/boxed_points.h>
 #include <apps/motion/periodic_lloyd.h>
 
 #include <algorithm>
@@ -39,24 +39,12 @@ struct Boxed_scene {
     std::optional<Point_file<d>> file{};
 };
 
-/// Uniform in the box; the same for a seed on every platform.
-template <int d>
-std::vector<Coordinates<d>> uniform_in(const Box<d>& box, std::uint64_t n, std::uint64_t seed) {
-    Portable_random dice(seed);
-    std::vector<Coordinates<d>> points(static_cast<std::size_t>(n));
-    for (Coordinates<d>& p : points)
-        for (const Coordinates<d>& vector : box.vectors()) {
-            const double share = dice.unit();
-            for (std::size_t k = 0; k < d; ++k) p[k] += share * vector[k];
-        }
-    return points;
-}
-
 template <int d>
 Boxed_scene<d> boxed_scene(const Boxed_lloyd_call& a) {
     Boxed_scene<d> scene{.box = box_of<d>(parse_box(a.box))};
     if (a.lloyd.input.empty()) {
-        scene.points = uniform_in<d>(scene.box, a.lloyd.points, a.common.seed);
+        scene.points =
+            generate_in<d>(scene.box, Point_family::uniform, static_cast<std::size_t>(a.lloyd.points), a.common.seed);
         return scene;
     }
     scene.file = read_points<d>(a.lloyd.input,
@@ -204,13 +192,10 @@ void add_lloyd_box(CLI::App& app, std::string& box) {
 
 int run_boxed_lloyd(const Boxed_lloyd_call& a, const std::string& command) {
     require_open_options_absent(a);
-    const std::size_t numbers = parse_box(a.box).size();
-    if (numbers != 2 && numbers != 3 && numbers != 4 && numbers != 9)
-        throw Error(Error_code::usage,
-                    "--box has " + counted(numbers, "number") + ", and a box has 2 or 4 in 2D, 3 or 9 in 3D");
+    const int dimension = dimension_of_box(parse_box(a.box));
     Options options = options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
-    return numbers == 2 || numbers == 4 ? run_boxed<2>(a, options, command) : run_boxed<3>(a, options, command);
+    return dimension == 2 ? run_boxed<2>(a, options, command) : run_boxed<3>(a, options, command);
 }
 
 }  // namespace annulus::inline v1::cli

@@ -40,6 +40,18 @@ Box<d> box_of(const File_box& box, const std::string& file) {
     }
 }
 
+int dimension_of_box(const std::vector<double>& numbers) {
+    switch (numbers.size()) {
+        case 2:
+        case 4: return 2;
+        case 3:
+        case 9: return 3;
+        default:
+            throw Error(Error_code::usage, "--box has " + counted(numbers.size(), "number") +
+                                               ", and a box has 2 or 4 in 2D, 3 or 9 in 3D");
+    }
+}
+
 template <int d>
 Box<d> box_of(const std::vector<double>& numbers) {
     typename Box<d>::Vectors vectors{};

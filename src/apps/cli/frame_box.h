@@ -20,6 +20,8 @@ template <int d>
 
 /// The numbers of --box: d lengths, or d vectors one after the other, separated by commas. Throws Error(usage).
 [[nodiscard]] inline std::vector<double> parse_box(const std::string& words) { return parse_numbers("--box", words); }
+/// 2 for 2 or 4 numbers, 3 for 3 or 9. Throws Error(usage).
+[[nodiscard]] int dimension_of_box(const std::vector<double>& numbers);
 template <int d>
 [[nodiscard]] Box<d> box_of(const std::vector<double>& numbers);
 

@@ -46,8 +46,11 @@ std::vector<Coordinates<d>> grid(std::size_t n) {
     return points;
 }
 
+}  // namespace
+
 template <int d>
-std::vector<Coordinates<d>> clusters(std::size_t n, Portable_random& random) {
+std::vector<Point_of_cluster<d>> points_of_clusters(std::size_t n, std::uint64_t seed) {
+    Portable_random random(seed);
     struct Cluster {
         Coordinates<d> centre;
         double width;
@@ -58,15 +61,14 @@ std::vector<Coordinates<d>> clusters(std::size_t n, Portable_random& random) {
         c.width = 0.1;
         for (std::size_t decade = random.below(7); decade > 0; --decade) c.width /= 10;
     }
-    std::vector<Coordinates<d>> points(n);
+    std::vector<Point_of_cluster<d>> points(n);
     for (auto& p : points) {
         const Cluster& c = all[random.below(all.size())];
-        for (std::size_t k = 0; k < d; ++k) p[k] = c.centre[k] + c.width * random.bell();
+        p.centre = c.centre;
+        for (double& x : p.offset) x = c.width * random.bell();
     }
     return points;
 }
-
-}  // namespace
 
 template <int d>
 std::size_t grid_side(std::size_t n) {
@@ -89,7 +91,6 @@ double Portable_random::bell() {
 template <int d>
 std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::uint64_t seed) {
     Portable_random random(seed);
-    if (family == Point_family::clusters) return clusters<d>(n, random);
     std::vector<Coordinates<d>> points(n);
     switch (family) {
         case Point_family::grid:
@@ -110,6 +111,12 @@ std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::ui
                 for (std::size_t k = 1; k < d; ++k) p[k] = 0.5 + (p[k] - 0.5) * (k == 1 ? 0.8 : 0.6);
             }
             break;
+        case Point_family::clusters: {
+            const auto placed = points_of_clusters<d>(n, seed);
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t k = 0; k < d; ++k) points[i][k] = placed[i].centre[k] + placed[i].offset[k];
+            break;
+        }
         default:
             for (auto& p : points) p = uniform_point<d>(random);
     }
@@ -118,6 +125,8 @@ std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::ui
 
 template std::size_t grid_side<2>(std::size_t);
 template std::size_t grid_side<3>(std::size_t);
+template std::vector<Point_of_cluster<2>> points_of_clusters<2>(std::size_t, std::uint64_t);
+template std::vector<Point_of_cluster<3>> points_of_clusters<3>(std::size_t, std::uint64_t);
 template std::vector<Coordinates<2>> generate<2>(Point_family, std::size_t, std::uint64_t);
 template std::vector<Coordinates<3>> generate<3>(Point_family, std::size_t, std::uint64_t);
 

@@ -64,8 +64,18 @@ template <int d>
 template <int d>
 [[nodiscard]] std::vector<Coordinates<d>> generate(Point_family family, std::size_t n, std::uint64_t seed);
 
+/// A point of the family `clusters` is at centre + offset.
+template <int d>
+struct Point_of_cluster {
+    Coordinates<d> centre, offset;
+};
+template <int d>
+[[nodiscard]] std::vector<Point_of_cluster<d>> points_of_clusters(std::size_t n, std::uint64_t seed);
+
 extern template std::size_t grid_side<2>(std::size_t);
 extern template std::size_t grid_side<3>(std::size_t);
+extern template std::vector<Point_of_cluster<2>> points_of_clusters<2>(std::size_t, std::uint64_t);
+extern template std::vector<Point_of_cluster<3>> points_of_clusters<3>(std::size_t, std::uint64_t);
 extern template std::vector<Coordinates<2>> generate<2>(Point_family, std::size_t, std::uint64_t);
 extern template std::vector<Coordinates<3>> generate<3>(Point_family, std::size_t, std::uint64_t);
 
