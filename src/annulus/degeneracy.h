@@ -16,6 +16,8 @@ namespace annulus::inline v1 {
 
 template <int d>
 class Moving_mesh;
+template <int d>
+class Periodic_mesh;
 
 /// Counts of samples in bins, and the smallest and largest sample, in the unit of the samples.
 ///
@@ -121,8 +123,10 @@ struct Vertex_counts {
 /// How degenerate a Delaunay triangulation is.
 struct Degeneracy {
     int dimension = 2;
-    double spacing = 0;     ///< mean spacing: square root of the hull's area per vertex, cube root of its volume
-    double resolution = 0;  ///< the distance of doubles at the largest coordinate
+    /// In a periodic box: there are no ridges, and the paper's tolerances are not computed (`vertices` has none).
+    bool periodic = false;
+    double spacing = 0;  ///< mean spacing: square root of the hull's (box's) area per vertex, cube root of the volume
+    double resolution = 0;  ///< the distance of doubles at the largest coordinate; in a box the grid's largest spacing
     std::vector<Threshold> thresholds;
 
     Certificate_counts bicells;  ///< finite ones: empty circles and spheres
@@ -175,5 +179,12 @@ struct Degeneracy_options {
 /// usage. A bi-cell costs a microsecond, a degenerate one ten or more.
 [[nodiscard]] Degeneracy degeneracy(const Moving_mesh<2>& mesh, const Degeneracy_options<2>& options = {});
 [[nodiscard]] Degeneracy degeneracy(const Moving_mesh<3>& mesh, const Degeneracy_options<3>& options = {});
+
+/// How degenerate a periodic mesh is, its cells counted once each, at places(). Where a certificate has several images
+/// of a vertex, they count as points that move apart from one another: widths and tolerances are then lower bounds of
+/// those of vertices whose images move together, and 0 where these are. Throws too_few without vertices, usage. Costs
+/// what it does with open boundaries.
+[[nodiscard]] Degeneracy degeneracy(const Periodic_mesh<2>& mesh, const Degeneracy_options<2>& options = {});
+[[nodiscard]] Degeneracy degeneracy(const Periodic_mesh<3>& mesh, const Degeneracy_options<3>& options = {});
 
 }  // namespace annulus::inline v1

@@ -12,10 +12,10 @@ TEST_CASE("roots by arithmetic are roots, at every magnitude", "[motion]") {
     Portable_random dice(1);
     for (int i = 0; i < 3000; ++i) {
         const double x = std::ldexp(1 + dice.unit(), i % 900 - 450);
-        CHECK(std::fabs(root_of<3>(x) / std::cbrt(x) - 1) < 0x1p-51);
+        CHECK(std::fabs(root_of<3>(x) / std::cbrt(x) - 1) < 0x1p-49);
         CHECK(root_of<2>(x) == std::sqrt(x));
     }
-    for (const double x : {1.0, 2.0, 3.0, 0.125, 10.0, 1e50}) CHECK(std::fabs(root_of<3>(x * x * x) / x - 1) < 0x1p-51);
+    for (const double x : {1.0, 2.0, 3.0, 0.125, 10.0, 1e50}) CHECK(std::fabs(root_of<3>(x * x * x) / x - 1) < 0x1p-49);
 }
 
 TEST_CASE("numbers of points that fit a box are the nearest that unit cells have", "[motion][periodic]") {

@@ -198,7 +198,7 @@ class BoxedGenerate(boxed.BoxedTest):
                 (("square", "-n", 8, "--box", "2,2,2"), "square is a crystal in 2D, and --box is in 3D"),
                 (("fcc", "-n", 50, "--box", "2,2,2"), "fill this box with edges as equal as can be with 32 or 108"),
                 (("diamond", "-n", 3, "--box", "2,2,2"), "fill this box with edges as equal as can be with 8"),
-                (("sc", "-n", 9, "--box", "1,1,1"), "1 point each, fill this box with edges as equal as can be with 8 "),
+                (("sc", "-n", 9, "--box", "1,1,1"), "1 point each, fill this box with edges as equal as can be with 8"),
                 (("uniform", "-n", 5, "--box", "1,1", "--dim", 3), "--dim 3, and --box is in 2D"),
                 (("uniform", "-n", 5, "--box", "1"), "--box has 1 number, and a box has 2 or 4 in 2D, 3 or 9 in 3D"),
                 (("uniform", "-n", 5, "--box", "1,x"), "'x' is not a number"),

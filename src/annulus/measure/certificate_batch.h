@@ -66,6 +66,21 @@ struct Certificate_batch {
         point.push_back(p);
         tuple.push_back(t);
     }
+    /// Points whose positions are kept elsewhere: refer_to() before they are used.
+    template <std::size_t k>
+    void append(Id named, const std::array<Index, k>& v) {
+        Vertices p;
+        p.fill(none);
+        std::copy(v.begin(), v.end(), p.begin());
+        id.push_back(named);
+        point.push_back(p);
+        tuple.emplace_back();
+    }
+    template <class Places>
+    void refer_to(std::span<const Places> places) {
+        for (std::size_t c = 0; c < tuple.size(); ++c)
+            for (std::size_t i = 0; i < tuple[c].size(); ++i) tuple[c][i] = &places[c][i];
+    }
     void clear() {
         id.clear();
         point.clear();

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/error.h>
 #include <apps/cli/arguments.h>
 #include <apps/cli/commands.h>
+#include <apps/cli/degeneracy_study.h>
 #include <apps/cli/input.h>
 #include <apps/cli/print_degeneracy.h>
 #include <apps/cli/progress.h>
-#include <apps/cli/raw_file.h>
 #include <apps/cli/replay_scene.h>
 #include <apps/cli/result_files.h>
-#include <apps/cli/stopwatch.h>
 #include <apps/formats/distinct.h>
 #include <apps/formats/read_points.h>
+#include <apps/formats/text_output.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_json.h>
 #include <apps/report/degeneracy_series.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
@@ -38,6 +36,7 @@ struct Degeneracy_call {
     bool ignore_z = false;
     std::string format;
     bool open = false;                   // a periodic box is ignored
+    std::string box;                     // in place of that of the file
     std::string columns;                 // of a table
     std::optional<std::uint64_t> frame;  // the number of the frame to study, if the file is a motion
     std::uint64_t every = 0;             // study every N-th frame of a motion; 0: a point set, or `frame`
@@ -45,77 +44,66 @@ struct Degeneracy_call {
     std::string raw;
 
     [[nodiscard]] bool of_motion() const { return frame || every > 0; }
+    [[nodiscard]] Study_options study() const { return {common.threads, thresholds, raw}; }
 };
 
-/// Each threshold as text, for example "1e-4", and as a number.
-std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std::string>& words) {
-    std::vector<std::pair<std::string, double>> thresholds;
-    for (const std::string& word : words) {
-        double value = 0;
-        const char* const end = word.data() + word.size();
-        const auto [stop, error] = std::from_chars(word.data(), end, value);
-        if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
-            throw Error(Error_code::usage, "--thresholds: '" + word + "' is not a positive number");
-        for (const auto& [name, other] : thresholds)
-            if (other == value) throw Error(Error_code::usage, "--thresholds: " + word + " is named twice");
-        thresholds.emplace_back(word, value);
-    }
-    if (thresholds.size() > Degeneracy_options<2>::most_thresholds)
-        throw Error(Error_code::usage,
-                    "--thresholds takes " + std::to_string(Degeneracy_options<2>::most_thresholds) + " at most");
-    return thresholds;
+/// The box of --box, else that of the file, if it is periodic in all directions, and what says so.
+template <int d>
+std::pair<std::optional<Box<d>>, std::string> box_of_points(const Degeneracy_call& a, const Point_file<d>& file) {
+    if (!a.box.empty()) return {box_of<d>(parse_box(a.box)), "--box"};
+    if (!file.box || !is_periodic(*file.box, d, file.name)) return {};
+    return {box_of<d>(*file.box, file.name), file.box->what};
 }
 
-/// Precondition: the points x are distinct. `id` has their ids, which are written as `ids`.
+/// The error of a triangulation that names points x, as one of the file.
 template <int d>
-Degeneracy_record study_points(const Degeneracy_call& a, std::string file, const std::vector<Coordinates<d>>& x,
-                               std::span<const std::uint64_t> id, const Point_ids& ids) {
-    Degeneracy_record r;
-    r.file = std::move(file);
-    r.dimension = d;
-    r.vertices = x.size();
-    const auto begin = Clock::now();
-    Delaunay_mesh<d> mesh;
-    mesh.build(x);
-    r.seconds_triangulation = since(begin);
-    const auto built = Clock::now();
-    r.affine_dimension = mesh.dimension();
-    std::vector<Index> corners;
-    mesh.list_cells(x, corners);
-    r.simplices = corners.size() / (d + 1);
-    std::optional<Raw_file<d>> raw;
-    if (!a.raw.empty()) raw.emplace(a.raw, id, ids);
-    if (r.affine_dimension == d) {
-        Degeneracy_options<d> options;
-        options.threads = a.common.threads;
-        if (!a.thresholds.empty()) options.thresholds = thresholds_of(a.thresholds);
-        if (raw) options.raw = [&raw](const Raw_certificate<d>& c) { (*raw)(c); };
-        r.measured = degeneracy(mesh.table(), x, options);
-    }
-    if (raw) raw->commit();
-    r.seconds_analysis = since(built);
-    return r;
+Input_error fault_of(const Error& error, const Point_file<d>& file, const std::vector<Coordinates<d>>& x) {
+    const Coordinates<d>& p = x[static_cast<std::size_t>(error.vertices().back())];
+    const auto at =
+        static_cast<std::size_t>(std::find(file.points.begin(), file.points.end(), p) - file.points.begin());
+    const bool duplicate = error.code() == Error_code::duplicate_point;
+    return file.fault(at, error.code(),
+                      duplicate ? "the point is at the place of another in the periodic box" : error.what(),
+                      duplicate ? "points that differ" : "a point nearer to the box");
 }
 
 template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
-    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
+    const auto [box, box_from] = box_of_points<d>(a, file);
+    const std::vector<Coordinates<d>> x = distinct_points(file, box ? 1 : 2);
     std::vector<std::uint64_t> place;  // for each distinct point, its index in the file
     const auto first = first_at_place<d>(file.points);
     for (std::size_t i = 0; i < first.size(); ++i)
         if (first[i] == i) place.push_back(i);
-    Degeneracy_record r = study_points<d>(a, file.name, x, place, {});
-    r.points = file.points.size();
-    r.input = input_of(file);
-    return r;
+    try {
+        Degeneracy_record r = study_points<d>({file.name, x, place, {}, box}, a.study());
+        r.points = file.points.size();
+        r.input = input_of(file);
+        r.input.box_from = box_from;
+        if (box)
+            for (const auto& vector : box->vectors()) r.input.box.emplace_back(vector.begin(), vector.end());
+        return r;
+    } catch (const Error& error) {
+        if (error.vertices().empty()) throw;
+        throw fault_of(error, file, x);
+    }
 }
 
 template <int d>
-Degeneracy_record study(const Degeneracy_call& a, const Motion_reader& reader, const Frame_points<d>& frame) {
-    Degeneracy_record r = study_points<d>(a, reader.name(), frame.x, frame.id, reader.ids());
-    r.points = frame.x.size() + frame.merged;
-    r.input = input_of(reader, d);
-    return r;
+Degeneracy_record study(const Degeneracy_call& a, const Opened_motion& motion, const Replayed_frames<d>& frames,
+                        const Frame_points<d>& frame) {
+    std::optional<Box<d>> box;
+    if (motion.periodic) box = frames.box();
+    try {
+        Degeneracy_record r =
+            study_points<d>({motion.reader.name(), frame.x, frame.id, motion.reader.ids(), box}, a.study());
+        r.points = frame.x.size() + frame.merged;
+        r.input = frames.input(motion);
+        return r;
+    } catch (const Error& error) {
+        if (error.vertices().empty()) throw;
+        frames.fail(error, frame);
+    }
 }
 
 bool is_degeneracy(std::string_view name) {
@@ -142,7 +130,8 @@ void finish(const Degeneracy_call& a, Degeneracy_record r, const std::string& co
 
 /// Studies every N-th frame, for curves.
 template <int d>
-void study_motion(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
+void study_motion(const Degeneracy_call& a, const std::string& command, const Opened_motion& motion,
+                  Replayed_frames<d>& frames) {
     Degeneracy_series series{command, frames.reader().name(), d, a.thresholds, {}, {}};
     if (series.thresholds.empty())
         for (const auto& threshold : Degeneracy_options<d>().thresholds) series.thresholds.push_back(threshold.first);
@@ -152,12 +141,12 @@ void study_motion(const Degeneracy_call& a, const std::string& command, Replayed
     std::optional<Progress> progress(std::in_place, "degeneracy", 0, a.common.quiet);
     for (std::uint64_t i = 0; frames.next(frame); ++i) {
         if (i % a.every != 0) continue;
-        series.rows.push_back(degeneracy_row(frame.number, study<d>(a, frames.reader(), frame)));
+        series.rows.push_back(degeneracy_row(frame.number, study<d>(a, motion, frames, frame)));
         progress->show(i, "", frames.reader().share_read());
         if (!a.common.quiet) print_degeneracy(series.rows.back());
     }
     progress.reset();
-    series.input = input_of(frames.reader(), d);
+    series.input = frames.input(motion);
     a.common.say_notes(series.input.warnings);
     if (!a.common.quiet) print_input(series.input, d);
     const Csv_table table = degeneracy_table(series);
@@ -165,27 +154,30 @@ void study_motion(const Degeneracy_call& a, const std::string& command, Replayed
 }
 
 template <int d>
-void study_frame(const Degeneracy_call& a, const std::string& command, Replayed_frames<d>& frames) {
+void study_frame(const Degeneracy_call& a, const std::string& command, const Opened_motion& motion,
+                 Replayed_frames<d>& frames) {
     Frame_points<d> frame;
     while (frames.next(frame))
         if (frame.number == *a.frame) {
-            if (frame.x.size() < 2)
+            const std::size_t least = motion.periodic ? 1 : 2;
+            if (frame.x.size() < least)
                 throw Input_error(Error_code::too_few, frames.reader().name(), 0,
                                   "frame " + std::to_string(frame.number) + " has " + counted(frame.x.size(), "point"),
-                                  "two at least");
-            return finish(a, study<d>(a, frames.reader(), frame), command);
+                                  least == 1 ? "one at least" : "two at least");
+            return finish(a, study<d>(a, motion, frames, frame), command);
         }
     throw Input_error(Error_code::bad_input, frames.reader().name(), 0, "has no frame " + std::to_string(*a.frame),
                       "a number that the file has (in .xyz frames are counted from 0)");
 }
 
 void run_motion(const Degeneracy_call& a, const std::string& command) {
-    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format, a.open, a.columns};
+    Replay_arguments replay{a.file, a.ignore_z ? 2 : a.dimension, "merge", "skip", a.format, a.open, a.columns, true,
+                            a.box};
     Opened_motion motion = open_motion(replay);
     const auto with = [&]<int d>(std::integral_constant<int, d>) {
         Replayed_frames<d> frames(motion, replay);
-        if (a.frame) study_frame<d>(a, command, frames);
-        else study_motion<d>(a, command, frames);
+        if (a.frame) study_frame<d>(a, command, motion, frames);
+        else study_motion<d>(a, command, motion, frames);
     };
     if (motion.dimension == 2) with(std::integral_constant<int, 2>());
     else with(std::integral_constant<int, 3>());
@@ -201,10 +193,11 @@ int run(const Degeneracy_call& a, const std::string& command) {
     if (a.of_motion()) {
         run_motion(a, command);
     } else {
-        const Read_options options{.ignore_z = a.ignore_z,
-                                   .format = a.format,
-                                   .box = {.ignored = a.open},
-                                   .columns = parse_column_choice(a.columns)};
+        const Read_options options{
+            .ignore_z = a.ignore_z,
+            .format = a.format,
+            .box = {.taken = !a.open && a.box.empty(), .replaced = !a.box.empty(), .ignored = a.open},
+            .columns = parse_column_choice(a.columns)};
         std::variant<Point_file<2>, Point_file<3>> file;
         if (a.dimension == 2) file = read_points<2>(a.file, options);
         else if (a.dimension == 3) file = read_points<3>(a.file, options);
@@ -233,6 +226,7 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
                           ->check(whole_number(2, 3));
     sub->add_flag("--ignore-z", a->ignore_z, "Drop the z coordinate of the file");
     add_open(*sub, a->open);
+    add_box(*sub, a->box);
     auto* frame =
         sub->add_option("--frame", a->frame, "The frame of a motion with number N in the file (.xyz: counted from 0)")
             ->type_name("N")
@@ -254,6 +248,8 @@ Run add_degeneracy_command(CLI::App& app, const Invocation& invocation) {
     return [a, dimension, command = command_line(invocation.words)] {
         if (a->ignore_z && dimension->count() > 0 && a->dimension == 3)
             throw Error(Error_code::usage, "--ignore-z and --dim 3 exclude each other");
+        if (a->open && !a->box.empty()) throw Error(Error_code::usage, "--open and --box exclude each other");
+        if (!a->box.empty()) (void)dimension_of_box(parse_box(a->box));
         return run(*a, command);
     };
 }

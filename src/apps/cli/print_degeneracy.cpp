@@ -3,6 +3,7 @@
 #include <apps/cli/print_degeneracy.h>
 
 #include <apps/cli/counted_vertices.h>
+#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ void print(const Degeneracy& d) {
     const auto percent = [](std::uint64_t part, std::uint64_t all) {
         return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(all, 1));
     };
-    std::printf("mean spacing   %.6g; ulp of the largest coordinate %.3g, %.3g spacings\n", d.spacing, d.resolution,
+    std::printf("mean spacing   %.6g; %s %.3g, %.3g spacings\n", d.spacing,
+                d.periodic ? "ulp of the grid" : "ulp of the largest coordinate", d.resolution,
                 d.resolution / d.spacing);
     std::printf("%-14s %11s %11s", "widths", "number", "exactly 0");
     for (const Threshold& t : d.thresholds) std::printf(" %11s", ("< " + t.name).c_str());
@@ -33,18 +35,21 @@ void print(const Degeneracy& d) {
     widths("bi-cells", d.bicells.least);
     if (d.dimension == 3) widths("  paper's", d.standard);
     widths("cells", d.cells.least);
-    widths("hull ridges", d.ridges.least);
+    if (!d.periodic) widths("hull ridges", d.ridges.least);
     print_counts("tolerances", d.vertices.total, d.vertices.zero, d.vertices.below);
     const auto median = [](const Distribution& q) { return q.quantiles.empty() ? 0.0 : q.quantiles[5]; };
-    std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g, paper's tolerance %.4g, theta %.4g\n",
-                median(d.bicells.least.width), median(d.vertices.certified), median(d.vertices.paper), median(d.theta));
+    const std::string paper = d.periodic ? "" : formatted(", paper's tolerance %.4g", median(d.vertices.paper));
+    std::printf("medians        width of bi-cells %.4g, certified tolerance %.4g%s, theta %.4g\n",
+                median(d.bicells.least.width), median(d.vertices.certified), paper.c_str(), median(d.theta));
     std::printf("non-convex     %s (%.4g %%); with %s points %llu\n", counted(d.non_convex, "bi-cell").c_str(),
                 percent(d.non_convex, d.bicells.least.total), d.dimension == 2 ? "three collinear" : "four coplanar",
                 count(d.flat));
     const Vertex_counts& v = d.vertices;
-    std::printf("paper          tolerance unsound at %s (%.4g %%), above the exact one at %llu (%.4g %%)\n",
-                counted_vertices(v.paper_unsound).c_str(), percent(v.paper_unsound, v.total),
-                count(v.paper_above_exact), percent(v.paper_above_exact, v.total));
+    if (d.periodic) std::printf("periodic       no hull ridges; the paper's tolerances are not computed\n");
+    else
+        std::printf("paper          tolerance unsound at %s (%.4g %%), above the exact one at %llu (%.4g %%)\n",
+                    counted_vertices(v.paper_unsound).c_str(), percent(v.paper_unsound, v.total),
+                    count(v.paper_above_exact), percent(v.paper_above_exact, v.total));
     Stage_counts all = d.bicells.arithmetic;
     all += d.cells.arithmetic;
     all += d.ridges.arithmetic;

@@ -213,7 +213,8 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     auto* sub = app.add_subcommand("replay", "A recorded motion, the triangulation kept right throughout");
     const auto a = std::make_shared<Replay_call>();
     add_replay(*sub, a->replay);
-    add_box(*sub, a->replay);
+    a->replay.boxed = true;
+    add_box(*sub, a->replay.box);
     add_frames(*sub, a->frames);
     add_clip(*sub, a->frames);
     add_tracking(*sub, a->tracking);

@@ -40,11 +40,10 @@ void add_replay(CLI::App& app, Replay_arguments& a) {
     add_open(app, a.open);
 }
 
-void add_box(CLI::App& app, Replay_arguments& a) {
-    a.boxed = true;
+void add_box(CLI::App& app, std::string& box) {
     app.get_option("--open")->description(
         "Ignore the periodic box of a file: points are taken as they are, with open boundaries");
-    app.add_option("--box", a.box,
+    app.add_option("--box", box,
                    "Periodic box, in place of that of the file: the lengths of its edges, Lx,Ly or Lx,Ly,Lz, or its\n"
                    "vectors, 4 or 9 numbers, one vector after the other")
         ->type_name("LIST");

@@ -35,7 +35,7 @@ struct Replay_arguments {
 
 void add_replay(CLI::App& app, Replay_arguments& arguments);
 /// Of a command that takes periodic boxes: --box.
-void add_box(CLI::App& app, Replay_arguments& arguments);
+void add_box(CLI::App& app, std::string& box);
 
 /// A motion whose first frames, up to one with points, have been read to find its dimension.
 struct Opened_motion : Motion_start {

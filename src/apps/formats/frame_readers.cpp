@@ -89,6 +89,7 @@ Raw_points read_only_frame(File_bytes& bytes, Format format, Frame_options optio
     frame.points.columns = frames->columns();
     frame.points.notes = frames->notes();
     frame.points.ignored_box = frames->ignored_box();
+    frame.points.box = std::move(frame.box);
     return std::move(frame.points);
 }
 

@@ -4,8 +4,10 @@
 #include <annulus/types.h>
 #include <apps/formats/taken_columns.h>
 #include <apps/formats/text_input.h>
+#include <apps/motion/file_box.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct Raw_points {
     Taken_columns columns{};           ///< which columns were taken
     std::vector<std::string> notes{};  ///< content of the file that is ignored; each a line with the file's name
     bool ignored_box = false;          ///< whether a periodic box was ignored
+    std::optional<File_box> box{};     ///< where boxes are taken
 };
 
 /// Vertices of an OFF surface, and its faces on request; colours, normals and texture coordinates are ignored.

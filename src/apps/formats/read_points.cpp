@@ -59,6 +59,7 @@ Point_file<d> points_of(std::string name, Raw_points raw, const Read_options& op
     if (d == 2) std::erase_if(result.columns, [](const auto& column) { return column.first == "z"; });
     result.notes = std::move(raw.notes);
     result.ignored_box = raw.ignored_box;
+    result.box = std::move(raw.box);
     return result;
 }
 

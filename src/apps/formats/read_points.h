@@ -6,9 +6,11 @@
 #include <apps/formats/periodic_box.h>
 #include <apps/formats/table_columns.h>
 #include <apps/formats/taken_columns.h>
+#include <apps/motion/file_box.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -35,7 +37,8 @@ struct Point_file {
     Taken_columns columns;  ///< which columns were taken
     /// Content of the file that is ignored or may have another meaning; each a line with the file's name.
     std::vector<std::string> notes;
-    bool ignored_box = false;  ///< whether a periodic box was ignored
+    bool ignored_box = false;       ///< whether a periodic box was ignored
+    std::optional<File_box> box{};  ///< a box that is periodic in some direction, where boxes are taken
 
     /// A fault found later in point i (a duplicate, a point outside the domain), reported like the reader's own.
     [[nodiscard]] Input_error fault(std::size_t i, Error_code code, std::string what, std::string expected) const {
@@ -45,7 +48,7 @@ struct Point_file {
 
 /// Reads points by the extension of the file: .xyz, .csv, .lammpstrj, .npy, .off, .ply, .mesh (either case; see
 /// format.h), and .gz after it; see point_formats.h, frame_readers.h, csv_frames.h and npy_frames.h. `-` is standard
-/// input. A file of several frames is refused, and one with a periodic box unless it is to be ignored.
+/// input. A file of several frames is refused, and one with a periodic box unless it is to be taken or ignored.
 ///
 /// Decimals are rounded correctly. d is 2 or 3. Throws Input_error for every fault of the file, including a file
 /// without points, a z coordinate when d is 2 (unless ignored), and none when d is 3. Linear in the size of the file,

@@ -114,7 +114,7 @@ void append_counts(std::string& out, const Degeneracy& d) {
     add_widths(w.bicell, d.bicells.least);
     if (d.dimension == 3) add_widths("&nbsp; the paper's annulus alone", d.standard);
     add_widths(w.cell, d.cells.least);
-    add_widths(w.ridge, d.ridges.least);
+    if (!d.periodic) add_widths(w.ridge, d.ridges.least);
     add("vertices (tolerance)", d.vertices.total, d.vertices.zero, d.vertices.below);
     out += "<h2>Degenerate, exactly and nearly</h2>\n";
     append_table(out, head, rows);
@@ -123,10 +123,16 @@ void append_counts(std::string& out, const Degeneracy& d) {
         "width. ";
     out += d.dimension == 2 ? "" : "The width of a bi-cell is the least of its four annuli. ";
     out +=
-        "Every count is certified: a width is compared as a real number, with integers where intervals do not tell. "
-        "One ulp is "
-        "the distance of doubles at the largest coordinate: a width below it may be the work of "
-        "rounding.</figcaption>\n";
+        "Every count is certified: a width is compared as a real number, with integers where intervals do not tell. ";
+    out += d.periodic ? "One ulp is the spacing of the box's grid, to which points are rounded"
+                      : "One ulp is the distance of doubles at the largest coordinate";
+    out += ": a width below it may be the work of rounding.";
+    if (d.periodic)
+        out +=
+            " In a periodic box there is no hull. Where several images of a vertex are in a bi-cell or cell, they "
+            "count as points that move apart from one another: 0 is 0, and other widths and tolerances are lower "
+            "bounds.";
+    out += "</figcaption>\n";
 }
 
 void append_quantiles(std::string& out, const Degeneracy& d) {
@@ -161,22 +167,32 @@ void append_stages(std::string& out, const Degeneracy& d) {
     const Certificate_names w = words(d.dimension);
     add(w.bicell, d.bicells.arithmetic);
     add(w.cell, d.cells.arithmetic);
-    add(w.ridge, d.ridges.arithmetic);
+    if (!d.periodic) add(w.ridge, d.ridges.arithmetic);
     add("convexity of bi-cells", d.convexity);
     out += "<h2>What arithmetic decides</h2>\n";
     append_table(out, {"", "decisions", "filter", "intervals", "exact"}, rows);
     out += "<figcaption>Sign and tolerance of each certificate as a run would ask for them.</figcaption>\n";
 }
 
+void append_convexity(std::string& out, const Degeneracy& d) {
+    append_row(out, "bi-cells that are not convex", with_share(d.non_convex, d.bicells.least.total));
+    append_row(out, d.dimension == 2 ? "bi-cells with three collinear points" : "bi-cells with four coplanar points",
+               with_share(d.flat, d.bicells.least.total));
+}
+
 void append_paper(std::string& out, const Degeneracy& d) {
+    if (d.periodic) {
+        out += "<h2>Convexity</h2>\n<div class=\"numbers\"><table>\n";
+        append_convexity(out, d);
+        out += "</table></div>\n";
+        return;
+    }
     const Vertex_counts& v = d.vertices;
     out += "<h2>The paper's tolerance</h2>\n<div class=\"numbers\"><table>\n";
     append_row(out, "vertices at which it is unsound", with_share(v.paper_unsound, v.total));
     append_row(out, "above the distance to degeneracy", with_share(v.paper_above_exact, v.total));
     append_row(out, "certificates that fail within it", grouped(v.unsound_certificates));
-    append_row(out, "bi-cells that are not convex", with_share(d.non_convex, d.bicells.least.total));
-    append_row(out, d.dimension == 2 ? "bi-cells with three collinear points" : "bi-cells with four coplanar points",
-               with_share(d.flat, d.bicells.least.total));
+    append_convexity(out, d);
     out +=
         "</table></div>\n<figcaption>Unsound: the vertex is in a certificate all points of which can go to where it "
         "fails and "
@@ -196,10 +212,12 @@ void append_numbers(std::string& out, const Degeneracy_record& r) {
                : r.affine_dimension == 2 ? "triangles"
                                          : "edges",
                grouped(r.simplices));
+    append_box(out, r.input.box_from, r.input.box, "");
     out += "</table><table>\n";
     if (r.measured) {
         append_row(out, "mean spacing", relative_number(r.measured->spacing));
-        append_row(out, "ulp of the largest coordinate", relative_number(r.measured->resolution));
+        append_row(out, r.measured->periodic ? "grid of the box" : "ulp of the largest coordinate",
+                   relative_number(r.measured->resolution));
     }
     append_row(out, "triangulation time", duration(r.seconds_triangulation));
     append_row(out, "analysis time", duration(r.seconds_analysis));
@@ -225,6 +243,7 @@ std::vector<std::string> findings(const Degeneracy& d) {
         first += tolerances[half] == 0 ? ". Half of the vertices or more have a certified tolerance of 0"
                                        : ". Half of the vertices have a certified tolerance of " +
                                              readable(tolerances[half]) + " mean spacings or more";
+    if (d.periodic) return {first + "."};
     const std::uint64_t unsound = d.vertices.paper_unsound;
     return {first + (unsound == 0 ? ". The paper's tolerance is sound at all vertices."
                                   : ". The paper's tolerance is unsound at " + grouped(unsound) +
@@ -235,7 +254,8 @@ std::vector<std::string> findings(const Degeneracy& d) {
 
 std::string degeneracy_html(const Degeneracy_record& r) {
     const std::string name = r.file.substr(r.file.find_last_of('/') + 1);
-    std::string out = page_head("Degeneracy of " + grouped(r.vertices) + " points: " + name, r.command);
+    std::string out = page_head(
+        "Degeneracy of " + grouped(r.vertices) + (r.vertices == 1 ? " point: " : " points: ") + name, r.command);
     append_warnings(out, r.input.warnings);
     if (!r.measured) {
         out += "<p class=\"verdict\">All points lie ";
@@ -261,11 +281,12 @@ std::string degeneracy_html(const Degeneracy_record& r) {
         histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
         histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})};
     std::erase_if(plots, [](const Plot& plot) { return plot.series.empty(); });
-    append_plots(
-        out, "Distributions", plots,
-        "Mean spacing: the square root of the area (cube root of the volume) of the hull that one vertex has on "
-        "average. A cumulative curve begins where the samples on its scale begin, at the share of what is narrower or "
-        "exactly 0; there is none where all are exactly 0.");
+    append_plots(out, "Distributions", plots,
+                 std::string("Mean spacing: the square root of the area (cube root of the volume) of the ") +
+                     (d.periodic ? "box" : "hull") +
+                     " that one vertex has on average. A cumulative curve begins where the samples on its scale begin, "
+                     "at the share of what is narrower or "
+                     "exactly 0; there is none where all are exactly 0.");
     append_quantiles(out, d);
     append_stages(out, d);
     append_numbers(out, r);

@@ -77,7 +77,7 @@ Json degeneracy_json(const Degeneracy_record& r) {
     json["bicells"] = certificates_json(d.bicells, d.thresholds);
     if (d.dimension == 3) json["standard_annuli"] = widths_json(d.standard, d.thresholds);
     json["cells"] = certificates_json(d.cells, d.thresholds);
-    json["ridges"] = certificates_json(d.ridges, d.thresholds);
+    if (!d.periodic) json["ridges"] = certificates_json(d.ridges, d.thresholds);
     const std::uint64_t bicells = d.bicells.least.total;
     json["convexity"] = Json{{"non_convex", d.non_convex},
                              {"share_non_convex", share(d.non_convex, bicells)},
@@ -88,13 +88,14 @@ Json degeneracy_json(const Degeneracy_record& r) {
     json["tolerance"] = Json{{"total", v.total},
                              {"zero", v.zero},
                              {"below", below_json(v.below, d.thresholds)},
-                             {"certified", distribution_json(v.certified)},
-                             {"paper", distribution_json(v.paper)},
-                             {"paper_above_exact", v.paper_above_exact},
-                             {"share_above_exact", share(v.paper_above_exact, v.total)},
-                             {"paper_unsound", v.paper_unsound},
-                             {"share_unsound", share(v.paper_unsound, v.total)},
-                             {"unsound_certificates", v.unsound_certificates}};
+                             {"certified", distribution_json(v.certified)}};
+    if (d.periodic) return json;
+    json["tolerance"].update(Json{{"paper", distribution_json(v.paper)},
+                                  {"paper_above_exact", v.paper_above_exact},
+                                  {"share_above_exact", share(v.paper_above_exact, v.total)},
+                                  {"paper_unsound", v.paper_unsound},
+                                  {"share_unsound", share(v.paper_unsound, v.total)},
+                                  {"unsound_certificates", v.unsound_certificates}});
     return json;
 }
 

@@ -23,7 +23,7 @@ struct Degeneracy_record {
     std::uint64_t vertices = 0;        ///< distinct ones
     int affine_dimension = 0;          ///< of the span of the points
     std::uint64_t simplices = 0;       ///< finite simplices of that dimension
-    double seconds_triangulation = 0;  ///< building, by CGAL
+    double seconds_triangulation = 0;  ///< building
     double seconds_analysis = 0;
     std::optional<Degeneracy> measured{};  ///< absent where the points are flat
 };

@@ -92,7 +92,8 @@ Degeneracy_row degeneracy_row(std::uint64_t frame, const Degeneracy_record& reco
                    quantiles_of(d.bicells.least.width),
                    quantiles_of(d.vertices.certified),
                    quantiles_of(d.vertices.paper),
-                   d.theta.quantiles.empty() ? 0 : d.theta.quantiles[5]};
+                   d.theta.quantiles.empty() ? 0 : d.theta.quantiles[5],
+                   d.periodic};
     return row;
 }
 
@@ -110,9 +111,13 @@ Csv_table degeneracy_table(const Degeneracy_series& series) {
             const Degeneracy_row::Numbers& n = *row.numbers;
             cells.insert(cells.end(), {n.spacing, n.bicells, n.zero});
             cells.insert(cells.end(), n.below.begin(), n.below.end());
-            for (const auto* values : {&n.width, &n.tolerance, &n.paper})
-                cells.insert(cells.end(), values->begin(), values->end());
-            cells.insert(cells.end(), {n.paper_unsound, n.non_convex, n.theta_median});
+            for (const auto* values : {&n.width, &n.tolerance, &n.paper}) {
+                if (n.periodic && values == &n.paper) cells.resize(cells.size() + values->size());
+                else cells.insert(cells.end(), values->begin(), values->end());
+            }
+            if (n.periodic) cells.emplace_back();
+            else cells.emplace_back(n.paper_unsound);
+            cells.insert(cells.end(), {n.non_convex, n.theta_median});
         }
         cells.resize(table.header.size());
     }
@@ -151,13 +156,21 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     append_warnings(out, series.input.warnings);
     append_findings(out, findings(series));
     if (!series.input.columns.empty()) out += "<p>" + escaped(listed(series.input.columns)) + ".</p>\n";
-    append_plots(out, "Widths and tolerances",
-                 {lengths("Widths of bi-cells", &Numbers::width),
-                  lengths("Certified tolerances of vertices", &Numbers::tolerance),
-                  lengths("The paper's tolerances", &Numbers::paper)},
+    const bool periodic = !series.input.box.empty();
+    if (periodic) {
+        out += "<div class=\"numbers\"><table>\n";
+        append_box(out, series.input.box_from, series.input.box, " at the end");
+        out += "</table></div>\n";
+    }
+    std::vector<Plot> widths{lengths("Widths of bi-cells", &Numbers::width),
+                             lengths("Certified tolerances of vertices", &Numbers::tolerance)};
+    if (!periodic) widths.push_back(lengths("The paper's tolerances", &Numbers::paper));
+    std::vector<Plot> shares{counts, zero};
+    if (!periodic) shares.push_back(unsound);
+    append_plots(out, "Widths and tolerances", widths,
                  "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is "
                  "not drawn.");
-    append_plots(out, "Counts", {counts, zero, unsound},
+    append_plots(out, "Counts", shares,
                  "Every count is certified; where one is 0 the first of these has no line. degeneracy.csv has the "
                  "numbers.");
     return out + page_foot();

@@ -24,6 +24,7 @@ struct Degeneracy_row {
         std::array<double, 3> width{}, tolerance{},
             paper{};  ///< the least, 1 % and half are smaller; tolerances of vertices
         double theta_median = 0;
+        bool periodic = false;  ///< nothing is known of the paper's tolerances
     };
     std::uint64_t frame = 0;
     std::uint64_t points = 0, vertices = 0;

@@ -37,6 +37,16 @@ void append_row(std::string& out, std::string_view name, const std::string& valu
     out += "<tr><th scope=\"row\">" + escaped(name) + "</th><td>" + value + "</td></tr>\n";
 }
 
+void append_box(std::string& out, const std::string& from, const std::vector<std::vector<double>>& vectors,
+                std::string_view when) {
+    if (!vectors.empty()) append_row(out, "periodic box from", escaped(from));
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        std::string text;
+        for (const double c : vectors[i]) text += (text.empty() ? "" : ", ") + readable(c);
+        append_row(out, "its vector " + std::to_string(i + 1) + std::string(when), text);
+    }
+}
+
 std::string with_share(std::uint64_t part, std::uint64_t all) {
     return grouped(part) + " <small>(" + percentage(part, all) + ")</small>";
 }

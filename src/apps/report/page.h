@@ -25,6 +25,10 @@ namespace annulus::inline v1 {
 
 /// A row of two columns; `value` is HTML.
 void append_row(std::string& out, std::string_view name, const std::string& value);
+/// Rows for a periodic box, none where it has no vectors: what gives it, and its vectors, each with its name, and then
+/// `when`: nine numbers are too wide for a row.
+void append_box(std::string& out, const std::string& from, const std::vector<std::vector<double>>& vectors,
+                std::string_view when);
 /// `caption` is HTML.
 void append_figure(std::string& out, const std::string& heading, const std::string& svg, const std::string& caption);
 /// Plots side by side under a heading; nothing where there are none.

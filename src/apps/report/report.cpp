@@ -34,12 +34,7 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     append_row(out, "vertices", grouped(run.vertices) + " <small>in " + std::to_string(run.dimension) + "D</small>");
     if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
     for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
-    if (!run.input.box.empty()) append_row(out, "periodic box from", escaped(run.input.box_from));
-    for (std::size_t i = 0; i < run.input.box.size(); ++i) {  // nine numbers are too wide for a row
-        std::string vector;
-        for (const double c : run.input.box[i]) vector += (vector.empty() ? "" : ", ") + readable(c);
-        append_row(out, "its vector " + std::to_string(i + 1) + " at the end", vector);
-    }
+    append_box(out, run.input.box_from, run.input.box, " at the end");
     if (run.clip) append_row(out, "Voronoi cells clipped to", escaped(in_words(*run.clip)));
     if (run.replayed) append_row(out, "frames", grouped(run.iterations + 1));
     else
