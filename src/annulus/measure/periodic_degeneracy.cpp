@@ -57,7 +57,9 @@ class Periodic_corners {
             cell(static_cast<std::size_t>(mesh_.cells.neighbours[c][i]), mesh_.cells.translations[c][i]);
         Images<k + 1> x;
         for (std::size_t j = 0; j < d; ++j) x[j] = own[facing(i, j)];
-        const auto on_facet = [&x](const Imaged<d>& s) { return std::find(x.begin(), x.begin() + d, s) != x.begin() + d; };
+        const auto on_facet = [&x](const Imaged<d>& s) {
+            return std::find(x.begin(), x.begin() + d, s) != x.begin() + d;
+        };
         x[d] = *std::find_if_not(other.begin(), other.end(), on_facet);
         x[d + 1] = own[i];
         return x;

@@ -22,8 +22,8 @@ template <int d>
 struct Studied_points {
     std::string file;
     std::span<const Coordinates<d>> x;
-    std::span<const std::uint64_t> id;    ///< of each
-    const Point_ids& ids;                 ///< the ids as they are written
+    std::span<const std::uint64_t> id;  ///< of each
+    const Point_ids& ids;               ///< the ids as they are written
     const std::optional<Box<d>>& box;   ///< none: boundaries are open
 };
 struct Study_options {

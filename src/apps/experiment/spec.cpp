@@ -49,6 +49,9 @@ class Grid_reader {
         : t_(name, table), number_(number), directory_(directory), spec_(spec) {}
 
     void read() {
+        if (t_.has("box"))
+            t_.fail("box", "'box': the experiments of a sweep have open boundaries",
+                    "no periodic box; annulus degeneracy --box counts the points of one file in it");
         t_.allow(
             {"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every", "open"},
             "[[grid]]");
