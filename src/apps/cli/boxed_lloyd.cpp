@@ -61,13 +61,7 @@ Boxed_mesh<d> boxed_mesh_of(const Boxed_scene<d>& scene, std::span<const std::ui
         return Boxed_mesh<d>(id, scene.points, scene.box, options);
     } catch (const Error& error) {
         if (error.vertices().empty() || !scene.file) throw;
-        const Coordinates<d>& p = scene.points[static_cast<std::size_t>(error.vertices().back())];
-        const auto& all = scene.file->points;
-        const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), p) - all.begin());
-        const bool duplicate = error.code() == Error_code::duplicate_point;
-        throw scene.file->fault(place, error.code(),
-                                duplicate ? "the point is at the place of another in the periodic box" : error.what(),
-                                duplicate ? "points that differ" : "a point nearer to the box");
+        throw fault_in_box<d>(error, *scene.file, scene.points);
     }
 }
 

@@ -55,18 +55,6 @@ std::pair<std::optional<Box<d>>, std::string> box_of_points(const Degeneracy_cal
     return {box_of<d>(*file.box, file.name), file.box->what};
 }
 
-/// The error of a triangulation that names points x, as one of the file.
-template <int d>
-Input_error fault_of(const Error& error, const Point_file<d>& file, const std::vector<Coordinates<d>>& x) {
-    const Coordinates<d>& p = x[static_cast<std::size_t>(error.vertices().back())];
-    const auto at =
-        static_cast<std::size_t>(std::find(file.points.begin(), file.points.end(), p) - file.points.begin());
-    const bool duplicate = error.code() == Error_code::duplicate_point;
-    return file.fault(at, error.code(),
-                      duplicate ? "the point is at the place of another in the periodic box" : error.what(),
-                      duplicate ? "points that differ" : "a point nearer to the box");
-}
-
 template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
     const auto [box, box_from] = box_of_points<d>(a, file);
@@ -85,7 +73,7 @@ Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
         return r;
     } catch (const Error& error) {
         if (error.vertices().empty()) throw;
-        throw fault_of(error, file, x);
+        throw fault_in_box<d>(error, file, x);
     }
 }
 

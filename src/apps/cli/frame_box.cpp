@@ -4,6 +4,7 @@
 #include <annulus/error.h>
 #include <apps/formats/input_error.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace annulus::inline v1::cli {
@@ -72,6 +73,17 @@ Box<d> box_of(const std::vector<double>& numbers) {
 }
 
 template <int d>
+Input_error fault_in_box(const Error& error, const Point_file<d>& file, std::span<const Coordinates<d>> x) {
+    const Coordinates<d>& p = x[static_cast<std::size_t>(error.vertices().back())];
+    const auto& all = file.points;
+    const auto at = static_cast<std::size_t>(std::find(all.begin(), all.end(), p) - all.begin());
+    const bool duplicate = error.code() == Error_code::duplicate_point;
+    return file.fault(at, error.code(),
+                      duplicate ? "the point is at the place of another in the periodic box" : error.what(),
+                      duplicate ? "points that differ" : "a point nearer to the box");
+}
+
+template <int d>
 Frame_boxes<d>::Frame_boxes(bool periodic, const std::string& given) : periodic_(periodic) {
     if (given.empty()) return;
     what_ = "--box";
@@ -96,6 +108,8 @@ template class Frame_boxes<2>;
 template class Frame_boxes<3>;
 template Box<2> box_of<2>(const File_box&, const std::string&);
 template Box<3> box_of<3>(const File_box&, const std::string&);
+template Input_error fault_in_box<2>(const Error&, const Point_file<2>&, std::span<const Coordinates<2>>);
+template Input_error fault_in_box<3>(const Error&, const Point_file<3>&, std::span<const Coordinates<3>>);
 template Box<2> box_of<2>(const std::vector<double>&);
 template Box<3> box_of<3>(const std::vector<double>&);
 

@@ -3,9 +3,11 @@
 
 #include <annulus/box.h>
 #include <apps/cli/arguments.h>
+#include <apps/formats/read_points.h>
 #include <apps/motion/recorded_motion.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,12 @@ template <int d>
 [[nodiscard]] int dimension_of_box(const std::vector<double>& numbers);
 template <int d>
 [[nodiscard]] Box<d> box_of(const std::vector<double>& numbers);
+
+/// The error of a triangulation in a box that names points of x, which are those of the file: as a fault of the last
+/// of them. O(n).
+template <int d>
+[[nodiscard]] Input_error fault_in_box(const Error& error, const Point_file<d>& file,
+                                       std::span<const Coordinates<d>> x);
 
 /// The boxes of the frames of a periodic motion, one after the other.
 template <int d>
@@ -51,6 +59,8 @@ extern template class Frame_boxes<2>;
 extern template class Frame_boxes<3>;
 extern template Box<2> box_of<2>(const File_box&, const std::string&);
 extern template Box<3> box_of<3>(const File_box&, const std::string&);
+extern template Input_error fault_in_box<2>(const Error&, const Point_file<2>&, std::span<const Coordinates<2>>);
+extern template Input_error fault_in_box<3>(const Error&, const Point_file<3>&, std::span<const Coordinates<3>>);
 extern template Box<2> box_of<2>(const std::vector<double>&);
 extern template Box<3> box_of<3>(const std::vector<double>&);
 
