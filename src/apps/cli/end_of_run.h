@@ -4,6 +4,7 @@
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
 #include <apps/cli/mesh_3.h>
+#include <apps/formats/input_error.h>
 
 #include <cstdio>
 #include <string>
