@@ -35,7 +35,7 @@ Series over_frames(std::string name, const Degeneracy_series& series, Value valu
 }
 
 /// How many bi-cells are degenerate in the frames, where the narrowest annulus is, how tolerances have changed, and
-/// where that of the paper is unsound. Nothing where all frames are flat.
+/// where that of the paper is unsound, which is computed without a box only. Nothing where all frames are flat.
 std::vector<std::string> findings(const Degeneracy_series& series) {
     std::vector<const Degeneracy_row*> rows;
     for (const Degeneracy_row& row : series.rows)
@@ -68,6 +68,7 @@ std::vector<std::string> findings(const Degeneracy_series& series) {
                 ? "is " + readable(last) + " mean spacings in the first frame and the last"
                 : (last > first ? "rose from " : "fell from ") + readable(first) + " to " + readable(last) +
                       " mean spacings from the first frame to the last";
+    if (rows.front()->numbers->periodic) return {text + "."};
     const auto unsound =
         std::max_element(rows.begin(), rows.end(), by([](const Numbers& n) { return n.paper_unsound; }));
     const std::uint64_t most = (*unsound)->numbers->paper_unsound;
