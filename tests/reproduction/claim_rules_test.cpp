@@ -5,7 +5,9 @@
 
 #include <support/catch.h>
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -81,6 +83,59 @@ TEST_CASE("A claim agrees where the whole interval meets it, and is open where a
     CHECK(measured({2, 1, 3}).low == 1);
     CHECK(measured({2, 1, 3}).high == 3);
     CHECK(scattered({2}).low == scattered({2}).high);
+}
+
+TEST_CASE("What is twice a bound goes further; any other number differs where far more is found") {
+    const auto run = [](const std::string& name, std::initializer_list<std::pair<const char*, double>> strategies) {
+        Benchmark_record r = named(name);
+        for (const auto& [strategy, seconds] : strategies) {
+            Contender_record x;
+            x.name = strategy;
+            x.step = {1000};
+            x.seconds = {seconds};
+            for (auto* list : {&x.asked, &x.failed, &x.requeued, &x.changed, &x.evaluated}) list->resize(1);
+            r.contenders.push_back(x);
+        }
+        return of({r});
+    };
+    const auto flips = [&](double quicker) {
+        return starting(run("lloyd-x2", {{"relocate", quicker}, {"relocate-flips", 1}}), "Flips in place of removal")
+            .verdict;
+    };
+    CHECK(flips(2) == agrees);
+    CHECK(flips(6.2) == differs);
+    const auto hybrid = [&](double gain) {
+        return starting(run("nodt-liver", {{"paper-printed", 1}, {"paper-printed-hybrid", 1 - gain}}),
+                        "Rebuilding first, and filtering")
+            .verdict;
+    };
+    CHECK(hybrid(0.1) == agrees);
+    CHECK(hybrid(0.01) == differs);
+    CHECK(hybrid(0.4) == differs);
+    const auto relocation = [&](double quicker) {
+        return starting(run("lloyd-x2", {{"relocate", quicker}, {"paper-printed", 1}}), "It is faster than relocation")
+            .verdict;
+    };
+    CHECK(relocation(3.5) == differs);
+    CHECK(relocation(3.7) == agrees);
+    CHECK(relocation(7.9) == agrees);
+    CHECK(relocation(8.1) == further);
+    CHECK(std::string(claim_rules()).find("any other number differs where more is found") != std::string::npos);
+}
+
+TEST_CASE("The picture of four bodies is open where a body was not run") {
+    const std::string start = "Optimised meshes of the four bodies";
+    const auto body = [](const char* name, std::uint64_t late = 10) { return optimised(name, 60, late); };
+    const Claim alone = starting(of({body("nodt-sphere")}), start);
+    CHECK(alone.verdict == open);
+    CHECK(alone.reason.find("Not run: man, bunny, liver, which need --surfaces.") != std::string::npos);
+    const auto all = [&](std::uint64_t last) {
+        return of({body("nodt-sphere"), body("nodt-man"), body("nodt-bunny"), body("nodt-liver", last)});
+    };
+    CHECK(starting(all(10), start).verdict == agrees);
+    CHECK(starting(all(510), start).verdict == open);  // 500 at the start: within the scatter
+    CHECK(starting(all(900), start).verdict == differs);
+    CHECK(starting(of({body("nodt-sphere", 900)}), start).verdict == differs);
 }
 
 TEST_CASE("Half of the tolerances wrong by rounding is not seldom, though no audit fails") {

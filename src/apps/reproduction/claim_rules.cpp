@@ -54,8 +54,10 @@ const char* claim_rules() {
            "much more. The claim agrees where the whole interval meets it, differs where nothing of it does, and is "
            "open where a part does, where two readings of the paper have different verdicts, or where it was not run. "
            "A claim of every run differs where one run contradicts it, and a claim of several parts where one part "
-           "does. It goes further where twice as much is found as the paper has, and is wrong where exact arithmetic "
-           "refutes it.";
+           "does. Of a bound, \"up to\" or \"at least\" so much, nine tenths agree, and what is found goes further "
+           "where "
+           "it is twice the bound or more; any other number differs where more is found than what is said beside it. "
+           "A claim is wrong where exact arithmetic refutes it.";
 }
 
 }  // namespace annulus::inline v1

@@ -30,7 +30,7 @@ struct Measured {
 /// Of a claim of several parts, or of every run: differs where one of them does, agrees where each agrees.
 [[nodiscard]] Claim_verdict every(const std::vector<Claim_verdict>& parts);
 [[nodiscard]] inline Claim_verdict agree_if(bool yes) { return yes ? Claim_verdict::agrees : Claim_verdict::differs; }
-/// Of a claim of an extreme value, "up to" or "at least": nine tenths of it agree, twice as much goes further.
+/// Of a claim of a bound, "up to" or "at least", and of no other: nine tenths of it agree, twice as much goes further.
 [[nodiscard]] Claim_verdict at_least(double value, double claimed);
 
 /// These rules in words, for pages.

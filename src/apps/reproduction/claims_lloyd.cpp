@@ -76,7 +76,8 @@ void append_speed(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = ours(plane, "relocate");
         c.verdict = at_least(least(x), 4);
         c.of_long_runs = true;
-        c.reason = "4 means 3.6 at least. " + few_fail(plane) + " Relocation is timed at some steps, on copies.";
+        c.reason = "At least 4: 3.6 or more in every run. " + few_fail(plane) +
+                   " Relocation is timed at some steps, on copies.";
     }
     out.push_back(c);
 

@@ -163,7 +163,7 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.ours =
             "the longest time step of auto takes " +
             range(of_each(all, [](const auto& benchmark) { return longest_step(benchmark, "auto"); }), times) +
-            " rebuilds by the processor's clock, of 100 the second longest " +
+            " rebuilds by the processor's clock, but for the longest hundredth of the steps " +
             range(of_each(all, [](const auto& benchmark) { return longest_step(benchmark, "auto", 0.01); }), times);
         c.verdict = agree_if(most(x) <= 2);
         c.reason = "The bound of auto, one and a half rebuilds, is one of counted costs and not of the clock.";

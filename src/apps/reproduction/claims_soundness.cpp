@@ -103,8 +103,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
     if (!space.empty()) {
         c.theirs = "an adversary made " + grouped(accepted) + " of " + grouped(attacked) +
                    " unsound certificates along these runs fail by moves that all stay within the paper's tolerances; "
-                   "the exact audit refuted " +
-                   grouped(refuted) + " of the " + grouped(audited) + " of them it was shown";
+                   "an exact audit of " +
+                   grouped(audited) + " of the triangulations after such moves refuted " + grouped(refuted);
         c.ours = "proved; " + grouped(audits.ours_failed) + " of " + grouped(audits.ours) +
                  " audits of certified runs failed";
         c.verdict = accepted > 0 ? Claim_verdict::wrong : attacked > 0 ? Claim_verdict::agrees : Claim_verdict::open;
@@ -119,7 +119,8 @@ void append_soundness_claims(const Reproduction& r, std::vector<Claim>& out) {
         std::uint64_t unsound = 0;
         for (const Benchmark_record* benchmark : plane)
             for (const auto& g : benchmark->degeneracies) unsound += g.paper_unsound;
-        c.theirs = grouped(unsound) + " vertices with too large a tolerance in " + grouped(plane.size()) + " runs";
+        c.theirs = grouped(unsound) + " vertices with too large a tolerance in " + grouped(plane.size()) +
+                   (plane.size() == 1 ? " run" : " runs");
         c.ours = "proved";
         c.verdict = agree_if(unsound == 0);
     }
