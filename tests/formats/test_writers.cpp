@@ -165,9 +165,20 @@ TEST_CASE("summary.json has exactly the promised keys first, in order and nested
     CHECK(nlohmann::ordered_json::parse(text) == json);
 }
 
-TEST_CASE("compare.json has every ratio of two strategies") {
+TEST_CASE("compare.json has every ratio of two strategies, of sums and of medians") {
     Comparison_record comparison{{some_run("rebuild", 3), some_run("tolerances", 0.5), some_run("idle", 0)}, true, {}};
+    for (Run_record& run : comparison.runs) run.steps.resize(3);
+    const auto time = [&](std::size_t run, double first, double second, double third) {
+        comparison.runs[run].steps[0].seconds_triangulation = first;
+        comparison.runs[run].steps[1].seconds_triangulation = second;
+        comparison.runs[run].steps[2].seconds_triangulation = third;
+    };
+    time(0, 0.5, 2, 0.5);  // the second step has a pause of the machine
+    time(1, 0.125, 0.25, 0.125);
     const auto json = compare_json(comparison);
+    CHECK(json["ratios_of_medians"]["rebuild/tolerances"] == 4.);
+    CHECK(json["ratios_of_medians"]["tolerances/idle"].is_null());
+    CHECK(json["ratios_of_medians"].size() == 6);
     CHECK(json["agree"] == true);
     CHECK(json["strategies"]["tolerances"]["seconds"]["triangulation"] == 0.5);
     CHECK(json["ratios"]["rebuild/tolerances"] == 6.);

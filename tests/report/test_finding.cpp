@@ -148,6 +148,10 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     Report report;
     report.comparison = comparison;
     CHECK(contains(report_html(report), "<td data-key=\"0.125\">125 ms</td><td data-key=\"1\">1×</td>"));
+    for (const char* part :
+         {"Ratios in this table are of medians", "All strategies agree: at the end each has a Delaunay",
+          "median of rebuild over its", "a jump may be a pause of the machine"})
+        CHECK(contains(report_html(report), part));
     time(0, 0.125, 0.1, 0.12505);
     CHECK(joined(findings(comparison)) ==
           "The 2 strategies took about as long: 125 ms for keeping the triangulation in an iteration by the wall "

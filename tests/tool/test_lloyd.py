@@ -5,6 +5,7 @@
 import csv
 import json
 import math
+import statistics
 
 import tool
 from tool import GRID, STRATEGIES, SUMMARY, SUMMARY_PLAIN, ToolTest
@@ -151,6 +152,15 @@ class Strategies(ToolTest):
         for pair, ratio in result["ratios"].items():
             a, b = (result["strategies"][n]["seconds"]["triangulation"] for n in pair.split("/"))
             self.assertAlmostEqual(ratio, a / b, delta=1e-9 * ratio)
+        median = {}
+        for name in strategies:
+            with open(self.here / "out" / f"iterations-{name.replace(':', '-')}.csv", encoding="utf-8",
+                      newline="") as file:
+                median[name] = statistics.median(float(row["seconds_triangulation"]) for row in csv.DictReader(file))
+        self.assertEqual(set(result["ratios_of_medians"]), set(result["ratios"]))
+        for pair, ratio in result["ratios_of_medians"].items():
+            a, b = pair.split("/")
+            self.assertAlmostEqual(ratio, median[a] / median[b], delta=1e-6 * ratio)
         return result
 
     def test_all_agree(self):

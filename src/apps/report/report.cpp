@@ -160,7 +160,8 @@ Table_cell within_tolerance(const Run_record& run) {
 
 void append_comparison(std::string& out, const Comparison_record& comparison) {
     if (!comparison.interrupted)
-        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree.</p>\n"
+        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree: at the end each has a Delaunay "
+                                  "triangulation of the points, the same where there is only one.</p>\n"
                                 : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
     for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
     if (comparison.runs.empty()) return;
@@ -185,17 +186,21 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                         {audit(run.audit), static_cast<double>(run.audit.failed)}});
     }
     append_table(out,
-                 {"strategy", "triangulation", std::string("median ") + step_word(first), "over fastest",
-                  escaped(first.strategy) + " over it", "construction", "within tolerance", "audits"},
+                 {"strategy", std::string("all ") + step_word(first) + "s", std::string("median ") + step_word(first),
+                  "its median over the least", "median of " + escaped(first.strategy) + " over its", "construction",
+                  "within tolerance", "audits"},
                  rows, true);
     out +=
-        "<figcaption>Times are of the wall clock, which counts pauses of the machine, too. Ratios are of the medians "
-        "over the " +
-        std::string(step_word(first)) + "s, which leave pauses out; compare.json has those of the sums.</figcaption>\n";
+        "<figcaption>Times are of the wall clock, which counts pauses of the machine, too: sums over all " +
+        std::string(step_word(first)) +
+        "s have them, medians leave them out. Ratios in this table are of medians, <code>ratios_of_medians</code> in "
+        "compare.json; <code>ratios</code> there are of sums. Within tolerance: the share of moves, in the " +
+        step_word(first) + "s that tested tolerances.</figcaption>\n";
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
-                 "construction of the first triangulation and its tolerances, summed. A curve that "
-                 "flattens belongs to a strategy that gains from small displacements.");
+                 "construction of the first triangulation and its tolerances, summed by the wall clock: a jump may be "
+                 "a pause of the machine. A curve that flattens belongs to a strategy that gains from small "
+                 "displacements.");
 }
 
 }  // namespace

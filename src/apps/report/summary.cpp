@@ -2,6 +2,7 @@
 #include <annulus/error.h>
 #include <annulus/version.h>
 #include <apps/formats/input_error.h>
+#include <apps/report/finding.h>
 #include <apps/report/summary.h>
 
 namespace annulus::inline v1 {
@@ -117,14 +118,18 @@ Json compare_json(const Comparison_record& comparison) {
         strategies[run.strategy] = summary_json(run);
     }
     if (comparison.interrupted) return json;
-    Json ratios = Json::object();
-    for (const Run_record& a : comparison.runs)
-        for (const Run_record& b : comparison.runs)
-            if (&a != &b) {
-                Json& ratio = ratios[a.strategy + "/" + b.strategy];
-                if (b.seconds.triangulation > 0) ratio = a.seconds.triangulation / b.seconds.triangulation;
-            }
-    json["ratios"] = std::move(ratios);
+    const auto ratios = [&](auto seconds) {
+        Json out = Json::object();
+        for (const Run_record& a : comparison.runs)
+            for (const Run_record& b : comparison.runs)
+                if (&a != &b) {
+                    Json& ratio = out[a.strategy + "/" + b.strategy];
+                    if (seconds(b) > 0) ratio = seconds(a) / seconds(b);
+                }
+        return out;
+    };
+    json["ratios"] = ratios([](const Run_record& run) { return run.seconds.triangulation; });
+    json["ratios_of_medians"] = ratios(median_step);
     if (!comparison.disagreements.empty()) json["disagreements"] = comparison.disagreements;
     return json;
 }

@@ -21,9 +21,9 @@ void append_input(nlohmann::ordered_json& json, const Input_record& input);
 [[nodiscard]] std::string in_words(const Clip_record& clip);
 
 /// The content of compare.json: `command`, `version`, `agree`, `strategies` by name, and `ratios` "a/b", the
-/// triangulation seconds of a over those of b, for every ordered pair (null when b took no time), then any
-/// `disagreements`. An interrupted comparison has `interrupted` in place of `agree` and `ratios`. Throws Error(usage)
-/// when two runs have the same strategy.
+/// triangulation seconds of a over those of b, for every ordered pair (null when b took no time), `ratios_of_medians`,
+/// the same of the median step (finding.h), then any `disagreements`. An interrupted comparison has `interrupted` in
+/// place of `agree` and ratios. Throws Error(usage) when two runs have the same strategy.
 [[nodiscard]] nlohmann::ordered_json compare_json(const Comparison_record& comparison);
 
 /// The content of iterations.csv: one row per step. Where meshes were measured, further columns are failures (moves
