@@ -43,6 +43,9 @@ class Reproduce(tool.ToolTest):
             text = page.read_text(encoding="utf-8")
             self.assertTrue(text.endswith("</html>\n"), page.name)
             self.assertNotRegex(text, r"\bnan\b|\binf\b", page.name)
+            self.assertIn("A quick run:", text, page.name)
+            self.assertEqual("Least dihedral angle of a tetrahedron:" in text,
+                             page.name in ("figure-8.html", "figure-9.html"), page.name)
             for target in re.findall(r'href="([^"]*)"', text):
                 self.assertIn(target, files, page.name)
         for table in (self.here / "all").glob("*.csv"):
@@ -82,7 +85,12 @@ class Reproduce(tool.ToolTest):
             for name, strategy in run.get("strategies", {}).items():
                 if "paper" not in name:
                     self.assertEqual(strategy["audits_failed"], 0, name)
-        self.assertIn("left out", (self.here / "all" / "index.html").read_text(encoding="utf-8"))
+        index = (self.here / "all" / "index.html").read_text(encoding="utf-8")
+        self.assertIn("left out", index)
+        self.assertIn(f"<p>annulus {r['version']}, ", index)
+        bodies, = (c for c in r["claims"] if "four bodies" in c["statement"])
+        self.assertEqual(bodies["verdict"], "open")  # there is the sphere alone
+        self.assertIn("man, bunny, liver", bodies["reason"])
 
     def test_the_committed_result(self):
         """The table, the JSON and the pages of docs/reproduction have the same claims and verdicts, and each page
@@ -119,6 +127,8 @@ class Reproduce(tool.ToolTest):
         a, b = self.result("a"), self.result("b")
         self.assertEqual(set(a["runs"]), {"points-one", "points-x2", "nodt-sphere"})
         self.assertEqual({n: untimed(r) for n, r in a["runs"].items()}, {n: untimed(r) for n, r in b["runs"].items()})
+        self.assertIn("Only fig5 and fig10 were requested.",
+                      (self.here / "a" / "index.html").read_text(encoding="utf-8"))
         for name in ("figure-10a.csv", "figure-5-one-3.csv"):
             self.assertEqual((self.here / "a" / name).read_bytes(), (self.here / "b" / name).read_bytes())
         self.succeed(*self.SMALL, "--only", "movers", "--output", "a")

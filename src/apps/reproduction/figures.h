@@ -18,6 +18,7 @@ struct Panel {
     std::string svg;
     std::string caption{};           ///< plain text
     std::vector<std::string> csv{};  ///< names of its tables
+    bool cut = false;                ///< a mesh, cut open, coloured by least dihedral angles
 };
 
 /// A page: one of the paper's figures, or the subject of one of its claims.

@@ -17,7 +17,7 @@ void append_pictures(const Benchmark_record& benchmark, const std::vector<std::u
     for (const Picture_record& p : benchmark.pictures)
         if (std::find(steps.begin(), steps.end(), p.step) != steps.end())
             panels.push_back({body_of(benchmark) + ", " + caption_of(p), p.svg, "",
-                              p.step == steps.back() ? std::vector{csv} : std::vector<std::string>{}});
+                              p.step == steps.back() ? std::vector{csv} : std::vector<std::string>{}, true});
 }
 
 Series angles(const Quality_record& q) {

@@ -36,15 +36,16 @@ constexpr std::pair<const char*, const char*> curves[] = {{"rebuild", "rebuildin
 
 Plot time_plot(const Benchmark_record& benchmark, bool logarithmic) {
     Plot plot{density_in_words(benchmark.name),
-              {"iteration", Scale::linear, 0., {}, true},
+              {"iteration", logarithmic ? Scale::log10 : Scale::linear, {}, {}, true},
               {"cumulated time (s)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, false},
               {}};
-    if (!logarithmic) plot.y.lower = 0.;
+    if (!logarithmic) plot.x.lower = plot.y.lower = 0.;
     for (const auto& [name, words] : curves) {
         const Contender_record* r = contender_of(benchmark, name);
         if (!r) continue;
         Series s{words, {}, {}};
         for (const auto& [step, seconds] : cumulated(*r)) {
+            if (logarithmic && step == 0) continue;  // what a strategy computes before the first step, or nothing
             s.x.push_back(static_cast<double>(step));
             s.y.push_back(seconds);
         }
@@ -98,11 +99,12 @@ void append_plane_pages(const Reproduction& r, std::vector<Page_content>& out) {
     }
     if (!linear.empty()) {
         seven.sections.emplace_back("Cumulated times", std::move(linear));
-        seven.sections.emplace_back("The same on a logarithmic axis", std::move(logarithmic));
+        seven.sections.emplace_back("The same on logarithmic axes", std::move(logarithmic));
         seven.notes.push_back(
             "Seconds of one thread's processor, all strategies in turn on the same 25 steps. Relocation is timed at "
             "every tenth step (of 1,000), on a copy that is built at the positions before it; steps between count as "
-            "the next one that was timed.");
+            "the next one that was timed. The paper's filter relocates a vertex as \"relocation\" does, not as "
+            "\"relocation (CGAL)\" does.");
     }
     out.push_back(std::move(seven));
 }

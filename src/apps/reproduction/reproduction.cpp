@@ -6,6 +6,7 @@
 #include <apps/formats/write_json.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/report/page.h>
+#include <apps/report/shades.h>
 #include <apps/report/table.h>
 #include <apps/reproduction/benchmark_statistics.h>
 #include <apps/reproduction/claim_findings.h>
@@ -24,13 +25,24 @@ std::string link(const std::string& file, const std::string& words) {
     return "<a href=\"" + escaped(file) + "\">" + escaped(words) + "</a>";
 }
 
-std::string page_html(const Page_content& page, const std::vector<Claim>& claims) {
+/// What every page of a quick run says beside its first sentence.
+std::string warning_of(const Reproduction_size& size) {
+    return size.quick ? "<p class=\"verdict\">A quick run: few points, few iterations. Verdicts are of this run, and "
+                        "mean little; the paper's runs have 1,000 iterations.</p>\n"
+                      : "";
+}
+
+std::string page_html(const Page_content& page, const std::vector<Claim>& claims, const Reproduction_size& size) {
     std::string out = page_head(page.title, "");
     append_findings(out, findings_of_page(page.name, claims));
+    out += warning_of(size);
     out += "<p>" + link("index.html", "All claims") + "</p>\n<p>" + escaped(page.about) + "</p>\n";
     if (page.sections.empty()) out += "<p class=\"verdict\">Nothing was run for it.</p>\n";
     for (const auto& [heading, panels] : page.sections) {
-        out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
+        out += "<h2>" + escaped(heading) + "</h2>\n";
+        if (std::any_of(panels.begin(), panels.end(), [](const Panel& panel) { return panel.cut; }))
+            out += legend_of(Shading::angles);
+        out += "<div class=\"panels\">\n";
         for (const Panel& panel : panels) {
             std::string caption = escaped(panel.caption);
             for (const std::string& csv : panel.csv) caption += (caption.empty() ? "" : " ") + link(csv, csv);
@@ -88,6 +100,7 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
                        const std::vector<Page_content>& pages) {
     std::string out = page_head("Filtering Relocations on a Delaunay Triangulation, reproduced", r.command);
     append_findings(out, {counts_of_verdicts(claims)});
+    out += warning_of(r.size);
     out +=
         "<p>The figures and claims of the paper of that name by P. M. M. de Castro, J. Tournois, P. Alliez and O. "
         "Devillers (2009), from runs made here: under the paper's algorithm and tolerances, and under ours.</p>\n";
@@ -97,24 +110,22 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         least_load = std::min(least_load, benchmark.load);
         most_load = std::max(most_load, benchmark.load);
     }
-    out += "<p>" + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) +
+    out += "<p>annulus " ANNULUS_VERSION_STRING ", " + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) +
            (r.benchmarks.size() == 1 ? " run, " : " runs, ") + duration(seconds) + " by the clock; ";
     out += "load of the machine at the end of each " + range({least_load, most_load}, readable) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
            "delay all alike; such times still vary from run to run. Verdicts about speed rest on them, no other "
            "does.</p>\n";
-    if (r.size.quick)
-        out +=
-            "<p class=\"verdict\">A quick run: few points, few iterations. Ratios mean little; the paper's runs have "
-            "1,000 iterations.</p>\n";
     if (!r.size.surfaces)
         out +=
             "<p class=\"verdict\">Without --surfaces the sphere is the only body: man, bunny and organ are left "
             "out.</p>\n";
     if (!r.size.only.empty()) {
         std::string only;
-        for (const std::string& topic : r.size.only) only += (only.empty() ? "" : ", ") + topic;
-        out += "<p class=\"verdict\">Only " + escaped(only) + " was requested.</p>\n";
+        for (const std::string& topic : r.size.only)
+            only += (only.empty() ? "" : &topic == &r.size.only.back() ? " and " : ", ") + topic;
+        out += "<p class=\"verdict\">Only " + escaped(only) + (r.size.only.size() == 1 ? " was" : " were") +
+               " requested.</p>\n";
     }
     out +=
         "<h2>Claims</h2>\n<p>" + escaped(claim_rules()) + "</p>\n" + claim_table(claims) + "<h2>Figures</h2>\n<ul>\n";
@@ -220,7 +231,7 @@ std::vector<Result_file> reproduction_files(const Reproduction& r) {
         table.rows.push_back({c.figure, c.statement, c.paper, c.theirs, c.ours, name_of(c.verdict), c.reason});
     out.push_back({"claims.csv", write_csv(table)});
     for (const Page_content& page : pages) {
-        out.push_back({page.name + ".html", page_html(page, claims)});
+        out.push_back({page.name + ".html", page_html(page, claims, r.size)});
         for (const auto& [name, content] : page.tables) out.push_back({name, write_csv(content)});
     }
     return out;
