@@ -3,6 +3,7 @@
 """Runs `annulus degeneracy` and checks its output. usage: test_degeneracy.py --tool=PATH [CLASS[.METHOD]...]"""
 
 import json
+import math
 import random
 import re
 import xml.etree.ElementTree
@@ -68,6 +69,11 @@ class Degeneracy(tool.ToolTest):
         self.assertEqual(curve[0][1], curve[1][1])
         self.assertEqual(curve[1][0], curve[2][0])
         self.assertEqual(curve[2][1], curve[3][1])
+        # The step is at the greatest width, as a place between the two ticks with labels.
+        ticks = [(float(x), float(n)) for x, n in re.findall(r'class="tl m" x="([\d.]+)"[^>]*>([\d.]+)<', widths)]
+        (x0, n0), (x1, n1) = ticks[0], ticks[-1]
+        share = math.log(result["bicells"]["width"]["quantiles"]["1"] / n0) / math.log(n1 / n0)
+        self.assertAlmostEqual(float(curve[1][0]), x0 + share * (x1 - x0), delta=0.5)
 
     def test_a_lattice(self):
         result = self.study(self.csv("lattice.csv", LATTICE))

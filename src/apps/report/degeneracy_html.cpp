@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
+#include <apps/report/cumulative_curve.h>
 #include <apps/report/degeneracy_report.h>
 #include <apps/report/page.h>
 #include <apps/report/table.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -22,31 +24,11 @@ std::string threshold_head(const Threshold& t) {
     return "&lt; 1 ulp <small>(" + relative_number(t.relative) + ")</small>";
 }
 
-/// Percentage of the samples below each edge, from the bin with the first sample on.
-Series cumulative(std::string name, const Histogram& h) {
-    Series s;
-    s.name = std::move(name);
-    std::uint64_t below = h.underflow();
-    const auto edges = h.edges();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (i > 0) below += h.counts()[i - 1];
-        const bool empty_before = i == 0 || below == h.underflow();
-        const bool empty_after = i < h.counts().size() && h.counts()[i] == 0;
-        if (below == 0 || (empty_before && empty_after && below < h.total())) continue;
-        s.x.push_back(edges[i]);
-        s.y.push_back(100 * static_cast<double>(below) / static_cast<double>(h.total()));
-        if (below == h.total()) break;
-    }
-    const auto filled = [](std::uint64_t n) { return n > 0; };
-    const auto one = std::find_if(h.counts().begin(), h.counts().end(), filled);
-    if (one != h.counts().end() && *one == h.total() - h.underflow()) {  // a step in the middle of the bin
-        const auto i = static_cast<std::size_t>(one - h.counts().begin());
-        const double middle = std::sqrt(edges[i] * edges[i + 1]);
-        const double before = 100 * static_cast<double>(h.underflow()) / static_cast<double>(h.total());
-        s.x = {edges[i], middle, middle, edges[i + 1]};
-        s.y = {before, before, 100, 100};
-    }
-    return s;
+/// On a logarithmic scale of percentages: from the share of one sample on.
+Series cumulative(std::string name, const Distribution& d) {
+    const Histogram& h = d.histogram;
+    return cumulative_curve(std::move(name), {h.edges(), h.counts(), h.underflow(), h.total()}, d.quantiles,
+                            100 / static_cast<double>(h.total()));
 }
 
 /// A decade or more, so that samples in one bin are a step and no slope.
@@ -71,7 +53,7 @@ Plot cumulative_plot(std::string title, std::string x,
     plot.y = {"share below, percent", Scale::log10, {}, 100.};
     // What is all exactly 0 has no place on a logarithmic scale.
     for (const auto& [name, d] : of)
-        if (d->histogram.total() > d->histogram.underflow()) plot.series.push_back(cumulative(name, d->histogram));
+        if (d->histogram.total() > d->histogram.underflow()) plot.series.push_back(cumulative(name, *d));
     give_room(plot.x, plot.series);
     return plot;
 }
