@@ -37,7 +37,7 @@ KINDS = [
          says=["The least dihedral angle of the mesh", "the number of slivers"]),
     Kind("replay", "replay MOTION --strategy tolerances",
          shows=["Voronoi cells by number of neighbours", "The triangulation", "What a frame costs"], sliders=1,
-         says=["inner vertices have six neighbours", "In 24 frames after the first points moved by"]),
+         says=["inner vertices have six neighbours", "In the 24 frames after the first, points moved by"]),
     # Which diagonal of a square is an edge does not matter: a facet that is exactly empty makes no neighbours.
     Kind("replay-lattice", "replay LATTICE", shows=["Voronoi cells by number of neighbours"], sliders=1,
          says=["All 16 inner vertices have four or fewer neighbours at the end (100 % at the start)"]),

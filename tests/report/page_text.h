@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A picture, and what a page says.
+// A picture, a run, and what a page says.
 #include <apps/report/report.h>
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace annulus_test {
 
@@ -29,6 +30,33 @@ inline Picture grid(Index n) {
             if (j > 0) picture.edges.push_back({n * i + j, n * i + j - 1});
         }
     return picture;
+}
+
+/// A run of two steps.
+inline Run_record two_steps() {
+    Run_record run;
+    run.strategy = "auto";
+    run.vertices = 100;
+    run.iterations = 2;
+    run.moves = {.asked = 200, .within_tolerance = 150};
+    run.steps.resize(2);
+    run.steps[0].iteration = 1;
+    run.steps[1].iteration = 2;
+    run.steps[0].displacement_mean = 0.5;
+    run.steps[0].displacement_max = 2;
+    run.steps[1].displacement_mean = 0.25;
+    run.steps[1].displacement_max = 1;
+    run.steps[0].flips = 3;
+    run.steps[0].tested_tolerances = run.steps[1].tested_tolerances = true;
+    run.steps[0].moves = {.asked = 100, .within_tolerance = 60};
+    run.steps[1].moves = {.asked = 100, .within_tolerance = 90};
+    return run;
+}
+
+inline std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
 }
 
 }  // namespace annulus_test

@@ -15,37 +15,10 @@
 using namespace annulus;
 using annulus_test::contains;
 using annulus_test::grid;
+using annulus_test::joined;
 using annulus_test::occurrences;
+using annulus_test::two_steps;
 using annulus_test::well_formed;
-
-namespace {
-
-/// A run of two steps.
-Run_record two_steps() {
-    Run_record run;
-    run.strategy = "auto";
-    run.vertices = 100;
-    run.iterations = 2;
-    run.moves = {.asked = 200, .within_tolerance = 150};
-    run.steps.resize(2);
-    run.steps[0].displacement_mean = 0.5;
-    run.steps[0].displacement_max = 2;
-    run.steps[1].displacement_mean = 0.25;
-    run.steps[1].displacement_max = 1;
-    run.steps[0].flips = 3;
-    run.steps[0].tested_tolerances = run.steps[1].tested_tolerances = true;
-    run.steps[0].moves = {.asked = 100, .within_tolerance = 60};
-    run.steps[1].moves = {.asked = 100, .within_tolerance = 90};
-    return run;
-}
-
-std::string joined(const std::vector<std::string>& lines) {
-    std::string all;
-    for (const std::string& line : lines) all += line + "\n";
-    return all;
-}
-
-}  // namespace
 
 TEST_CASE("A finding says how far points moved, and what that took", "[report]") {
     Run_record run = two_steps();
@@ -126,7 +99,12 @@ TEST_CASE("A finding says how the mesh has changed", "[report]") {
     CHECK(
         findings(run)[0] ==
         "The least dihedral angle of the mesh rose from 0.5 to 8.25 degrees, and the number of slivers fell from 12 to "
-        "3, of 88 tetrahedra.");
+        "3, of 88 tetrahedra at the end.");
+    run.steps[0].mesh = run.steps[1].mesh;
+    const Plot slivers = mesh_plots(run)[1];
+    CHECK(slivers.title == "Slivers");
+    CHECK(slivers.series[0].x == std::vector<double>{0, 1, 2});
+    CHECK(std::fabs(slivers.series[0].y.front() - 100 * 12. / 90) < 1e-9);
 }
 
 TEST_CASE("A finding names the fastest strategy", "[report]") {
@@ -228,7 +206,7 @@ TEST_CASE("A replayed motion has frames, and a finish is no iteration", "[report
     run.moves.rebuilt = 100;
     run.steps[0].moves.rebuilt = 100;
     const std::string said = joined(findings(run));
-    CHECK(contains(said, "In 2 frames after the first points moved by 0.375 mean spacings a frame on average"));
+    CHECK(contains(said, "In the 2 frames after the first, points moved by 0.375 mean spacings a frame on average"));
     CHECK(contains(said, "The triangulation was rebuilt in 1 frame.\n"));
     CHECK(!contains(said, "iteration"));
     CHECK(cost_plots(run).back().x.label == "frames after the first");
@@ -240,7 +218,7 @@ TEST_CASE("A replayed motion has frames, and a finish is no iteration", "[report
     run.steps[0].tested_tolerances = false;
     CHECK(contains(joined(findings(run)), "In 1 iteration and the finish points moved by"));
     CHECK(contains(joined(findings(run)), "of the moves in the finish that tested tolerances"));
-    CHECK(cost_plots(run).back().x.label == "iteration");
+    CHECK(cost_plots(run).back().x.label == "iteration, the last: the finish");
 }
 
 TEST_CASE("In 3D the volumes of Voronoi cells say how regular points are", "[report]") {
@@ -255,5 +233,10 @@ TEST_CASE("In 3D the volumes of Voronoi cells say how regular points are", "[rep
                    "deviation), by 40 % at the start.\n"));
     const std::vector<Plot> plots = regularity_plots(run);
     REQUIRE(plots.size() == 1);
-    CHECK(plots[0].series[0].y == std::vector<double>{25, 12.5});
+    CHECK(plots[0].series[0].x == std::vector<double>{0, 1, 2});
+    CHECK(plots[0].series[0].y == std::vector<double>{40, 25, 12.5});
+    run.steps.resize(60, run.steps.back());  // of many steps the axis is logarithmic
+    const Plot long_run = regularity_plots(run).front();
+    CHECK(long_run.x.label == "1 + iteration");
+    CHECK((long_run.x.scale == Scale::log10 && long_run.series[0].x.front() == 1));
 }

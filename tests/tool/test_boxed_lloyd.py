@@ -154,6 +154,9 @@ class BoxedLloyd(frames.FrameTest):
         page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
         for words in ("4 Lloyd iterations", "periodic box from", "--box", "0.5, 1", "Before", "After 4 iterations"):
             self.assertIn(words, page)
+        self.assertIsNone(said["tolerance"])
+        self.assertIsNotNone(self.summary("open")["tolerance"])
+        self.assertNotIn("olerance", done.stdout + page.split("<main>")[1])
 
     def test_what_there_is_with_open_boundaries_only_is_refused(self):
         box = ["lloyd", "--points", 20, "--box", "1,1"]

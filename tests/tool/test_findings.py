@@ -56,7 +56,7 @@ class Findings(tool.ToolTest):
         self.assertIn("All 36 vertices have six neighbours at the end (100 % at the start)", said)
         self.assertIn(f"stayed at {angle:.1f} degrees on average", said)
         self.assertNotIn("at the border", self.page("replay", "c.xyz"))  # a periodic box has none
-        self.assertIn("In 2 frames after the first points moved by", said)
+        self.assertIn("In the 2 frames after the first, points moved by", said)
 
     def test_the_energy_of_a_square_lattice(self):
         """Four points move to the middles of four squares."""
@@ -77,7 +77,7 @@ class Findings(tool.ToolTest):
 
     def test_one_and_two_points(self):
         for places in ([(0, 0)], [(0, 0), (1, 0)], [(0, 0), (1, 0), (2, 0)]):
-            self.assertIn("In 2 frames after the first points moved",
+            self.assertIn("In the 2 frames after the first, points moved",
                           self.found("replay", self.lattice("e.xyz", places)))
 
     def test_of_many_cells_a_window_is_drawn(self):
@@ -154,6 +154,60 @@ class Findings(tool.ToolTest):
         self.assertEqual(len(shown), 2)  # of the first and of the last frame: a step of a whole spacing
         for first, last in zip(extents(shown[0]), extents(shown[1])):
             self.assertAlmostEqual(first, last, delta=10)  # of 10,000
+
+    def test_boxes_and_domains_have_an_outline(self):
+        """Cells and triangulation, before and after; of a domain the triangulation alone, whose cells end at it."""
+        for words, count in ((["--box", "1,0.2,0,1"], 4), (["--box", "1,1,1"], 2), ([], 2),
+                             (["--domain", "box", "--size", "1,2,1"], 2)):
+            with self.subTest(words=words):
+                page = self.page("lloyd", "--points", 60, *words, "--iterations", 3)
+                self.assertEqual(count, page.count('class="outline"'))
+
+    def test_a_periodic_triangulation_has_no_point_without_an_edge(self):
+        page = self.page("lloyd", "--points", 60, "--box", "1,1", "--iterations", 1)
+        after = page.split("<h2>The triangulation</h2>")[1]
+        edges = re.search(r'class="edges" stroke-width="\d+" d="([^"]*)"', after)[1]
+        dots = re.search(r'class="dots" stroke-width="\d+" d="([^"]*)"', after)[1]
+        corners = set()
+        for trail in edges.split("M")[1:]:
+            at = [0, 0]
+            numbers = list(map(int, re.findall(r"-?\d+", trail)))
+            for way in zip(numbers[::2], numbers[1::2]):
+                at = [a + b for a, b in zip(at, way)]
+                corners.add(tuple(at))
+        shown = re.findall(r"M(-?\d+) ?(-?\d+)h0", dots)
+        self.assertGreater(len(shown), 60)
+        self.assertLessEqual({(int(x), int(y)) for x, y in shown}, corners)
+
+    def test_a_cut_of_a_periodic_box_is_in_its_middle_but_not_in_a_layer(self):
+        def frame(places):
+            return (f'{len(places)}\nLattice="4 0 0 0 4 0 0 0 4" Properties=species:S:1:pos:R:3\n' +
+                    "".join(f"A {x} {y} {z}\n" for x, y, z in places))
+
+        dice = random.Random(tool.SEED)
+        gas = [[4 * dice.random() for _ in range(3)] for _ in range(40)]
+        self.write("g.xyz", frame(gas) + frame([[4 * dice.random() for _ in range(3)] for _ in range(40)]))
+        self.assertEqual(["2", "2"], re.findall(r"cut at z = ([\d.]+)", self.cuts("g.xyz")))
+        grid = [(x, y, z) for x in range(4) for y in range(4) for z in range(4)]
+        self.write("l.xyz", frame(grid) * 2)
+        first, second = re.findall(r"cut at z = ([\d.]+)", self.cuts("l.xyz"))
+        self.assertEqual(first, second)
+        self.assertTrue(2.1 < float(first) < 2.4, first)
+
+    def cuts(self, name):
+        return " ".join(re.findall(r"<figcaption>(Frame[^<]*)<", self.page("replay", name)))
+
+    def test_points_that_a_box_carries_do_not_move_in_it(self):
+        frames = []
+        for tilt in (0, 0.3, 0.6):
+            rows = "".join(f"A {(x + tilt * y / 4)!r} {y} 0\n" for x in range(4) for y in range(4))
+            frames.append(f'16\nLattice="4 0 0 {tilt} 4 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"\n{rows}')
+        self.write("s.xyz", "".join(frames))
+        page = self.page("replay", "s.xyz")
+        self.assertIn("The box changed: its area is 16 at the end, as at the start", page)
+        self.assertIn("from 90 to 81.5 degrees", page)
+        self.assertIn("In the 2 frames after the first, points did not move relative to the box.", page)
+        self.assertNotIn("How far points go", page)
 
     def test_cells_outside_of_a_clip_have_no_area_in_its_curves(self):
         places = [(x, y) for x in range(12) for y in range(12)]

@@ -130,7 +130,7 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
         tracker.plane_before(first->measures);
         page.voronoi.push_back(std::move(first->cells));
     }
-    if (files) page.before = picture_of(tracker.triangulation(), at_start(iterations), page.axis);
+    if (files) page.before = picture_of(tracker.triangulation(), at_start(iterations), page.cut);
     if (files) measure_volumes<d>(tracker);
     Frame_files<Boxed_mesh<d>> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);

@@ -30,11 +30,13 @@ int end_run(const Common_arguments& common, const Run_tracker<Moving>& tracker, 
     return record.audit.failed == 0 ? done : audit_failed;
 }
 
-/// The picture of the triangulation at the end, where there was an iteration.
+/// The picture of the triangulation at the end, where there was an iteration, with the outline of the first one.
 template <class Moving>
 void picture_end(const Run_tracker<Moving>& tracker, Run_page<Moving>& page) {
-    if (const std::uint64_t n = tracker.record().iterations; n > 0)
-        page.after = picture_of(tracker.triangulation(), "After " + counted(n, "iteration"), page.axis);
+    const std::uint64_t n = tracker.record().iterations;
+    if (n == 0) return;
+    page.after = picture_of(tracker.triangulation(), "After " + counted(n, "iteration"), page.cut);
+    if (page.before) page.after->outline = page.before->outline;
 }
 
 /// Lloyd's iterations in any domain: writes the files, if there is --output, and ends the run. `merged` points of the

@@ -29,7 +29,7 @@ struct Run_page {
     std::string step;  ///< the name of a step in the heading: "Lloyd iteration"
     std::optional<Picture> before{}, after{};
     Film film{};                     ///< instead of these two
-    Cut_axis axis{};                 ///< of all these pictures
+    Chosen_cut cut{};                ///< of all these pictures
     std::vector<Picture> voronoi{};  ///< Voronoi cells, of the first and of the last step
     std::vector<Drawing> drawings{};
     std::vector<Figure> figures{};

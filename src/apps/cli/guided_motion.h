@@ -93,7 +93,7 @@ class Guided_replay final : public Guided_motion<Moving> {
     bool next(Time_step<d>& t) override;
     [[nodiscard]] bool at_end() override { return frames_.at_end(); }
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override {
-        return picture_of(dt, std::move(caption), axis_);
+        return picture_of(dt, std::move(caption), cut_);
     }
 
   private:
@@ -102,7 +102,7 @@ class Guided_replay final : public Guided_motion<Moving> {
     Present present_;
     std::vector<Coordinates<d>> x_;
     std::vector<Index> free_indices_;
-    mutable Cut_axis axis_;  // of all pictures
+    mutable Chosen_cut cut_;  // of all pictures
 };
 
 extern template class Guided_replay<Moving_mesh_2>;

@@ -13,7 +13,7 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
       nodt_(scene_.motion(arguments, common.threads)) {
     mesh_.read(guide_, true, *scene_.domain, threads_);
     scene_.require_cells(arguments, mesh_.inside());
-    axis_ = mesh_.shortest_side();
+    cut_ = mesh_.middle();
 }
 
 bool Guided_nodt::next(Time_step<3>& t) {
@@ -41,7 +41,7 @@ Mesh_step Guided_nodt::quality() {
 Picture Guided_nodt::picture(const Moving& dt, std::string caption) const {
     Mesh_3 mesh;
     mesh.read(dt, true, *scene_.domain, threads_);
-    return mesh.cut(std::move(caption), axis_);
+    return mesh.cut(std::move(caption), cut_);
 }
 
 }  // namespace annulus::inline v1::cli

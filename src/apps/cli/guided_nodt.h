@@ -35,8 +35,8 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
     Mesh_3 mesh_;
     Nodt_memory memory_;
     Nodt_step last_;
-    std::size_t axis_ = 0;  // pictures are cut across this axis
-    bool read_ = true;      // mesh_ is up to date with guide_
+    Cut_plane cut_;     // of all pictures
+    bool read_ = true;  // mesh_ is up to date with guide_
     bool cells_changed_ = true;
 };
 

@@ -54,7 +54,10 @@ int run(const Lloyd_call& a, const std::string& command) {
         tracker.plane_before(first.measures);
         page.voronoi.push_back(std::move(first.cells));
     }
-    if (!a.common.output.empty()) page.before = picture_of(tracker.triangulation(), at_start(a.lloyd.iterations));
+    if (!a.common.output.empty()) {
+        page.before = picture_of(tracker.triangulation(), at_start(a.lloyd.iterations));
+        page.before->outline = border_of(scene.domain);
+    }
     Frame_files<Moving_mesh_2> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 

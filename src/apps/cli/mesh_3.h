@@ -30,12 +30,11 @@ class Mesh_3 {
     /// A cell is in the domain if its circumcentre is. The cells are read again only if they have changed.
     void read(const Moving_mesh_3& dt, bool cells_changed, const Domain_3& domain, int threads);
 
-    /// The axis of the shortest side of the bounding box: a cut across it is the widest view of the mesh.
-    [[nodiscard]] std::size_t shortest_side() const;
-    /// The cells of the domain, cut across an axis, one for all pictures of a motion, through the middle of the box;
-    /// the caption says where. Where they were read with a domain, they are filled with the shades of their least
-    /// dihedral angles.
-    [[nodiscard]] Picture cut(std::string caption, std::size_t axis) const;
+    /// The middle of the bounding box: a cut across its shortest side is the widest view of the mesh.
+    [[nodiscard]] Cut_plane middle() const;
+    /// The cells of the domain, cut by a plane, one for all pictures of a motion; the caption says where. Where they
+    /// were read with a domain, they are filled with the shades of their least dihedral angles.
+    [[nodiscard]] Picture cut(std::string caption, const Cut_plane& plane) const;
 
   private:
     std::vector<Coordinates<3>> points_;
@@ -44,11 +43,17 @@ class Mesh_3 {
     bool domain_ = false;
 };
 
+/// The plane across the shortest side of the box between these corners, in its middle. In a layer of points a cut has
+/// no triangles: then it is a quarter of their mean distance off the middle. Linear.
+[[nodiscard]] Cut_plane middle_of(const Coordinates<3>& low, const Coordinates<3>& high,
+                                  const std::vector<Coordinates<3>>& points);
+
 /// The quality of the mesh after a step, for the files; `locked` and `kept` are those of that step.
 [[nodiscard]] Mesh_step measured(const Mesh_3& mesh, const Nodt_step& step);
 
-/// All cells of the triangulation, cut across this axis, or else across the shortest side.
-[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption, Cut_axis& axis);
-[[nodiscard]] Picture picture_of(const Boxed_mesh<3>& dt, std::string caption, Cut_axis& axis);
+/// All cells of the triangulation, cut by this plane, or else in the middle; of a periodic one in that of the box,
+/// whose outline is drawn.
+[[nodiscard]] Picture picture_of(const Moving_mesh_3& dt, std::string caption, Chosen_cut& plane);
+[[nodiscard]] Picture picture_of(const Boxed_mesh<3>& dt, std::string caption, Chosen_cut& plane);
 
 }  // namespace annulus::inline v1::cli

@@ -54,8 +54,8 @@ int run(const Nodt_call& a, const std::string& command) {
     scene.notes.push_back(filled(mesh, domain));
     tracker.mesh_before(measured(mesh, {}));
     Run_page<Moving_mesh_3> page{.step = "natural ODT iteration"};
-    const std::size_t axis = mesh.shortest_side();
-    if (files) page.before = mesh.cut(steps > 0 ? "before" : at_start(0), axis);
+    const Cut_plane cut = mesh.middle();
+    if (files) page.before = mesh.cut(steps > 0 ? "before" : at_start(0), cut);
     Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
 
@@ -101,7 +101,7 @@ int run(const Nodt_call& a, const std::string& command) {
     if (files) {
         optimised.add_to(page, tracker.record(), a.formats);
         if (tracker.record().iterations > 0)
-            page.after = mesh.cut("after " + steps_of(tracker.record(), "iteration"), axis);
+            page.after = mesh.cut("after " + steps_of(tracker.record(), "iteration"), cut);
         page.notes = scene.notes;
         page.figures = frame_figures(frames.records(), tracker.record(), false, uncut_cells);
         page.frames = &frames;

@@ -5,6 +5,7 @@
 #include <annulus/voronoi.h>
 #include <apps/cli/frame_clip.h>
 #include <apps/cli/lloyd_scene.h>
+#include <apps/cli/solid_mesh.h>
 #include <apps/motion/cell_energy.h>
 #include <apps/motion/cell_quality.h>
 #include <apps/motion/moments_2.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -132,6 +134,13 @@ Coordinates<2> in_box(const Coordinates<2>& p, const Coordinates<2>& a, const Co
     return {p[0] - along_a * a[0] - along_b * b[0], p[1] - along_a * a[1] - along_b * b[1]};
 }
 
+/// Not finite where the corners are on a line.
+Coordinates<2> circumcentre(const Coordinates<2>& a, const Coordinates<2>& b, const Coordinates<2>& c) {
+    const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
+    const double area = 2 * (bx * cy - by * cx), bb = bx * bx + by * by, cc = cx * cx + cy * cy;
+    return {a[0] + (cy * bb - by * cc) / area, a[1] + (bx * cc - cx * bb) / area};
+}
+
 std::vector<Coordinates<2>> present(const Moving_mesh_2& dt) {
     std::vector<Coordinates<2>> points;
     for (std::size_t i = 0; i < dt.index_bound(); ++i)
@@ -158,8 +167,12 @@ Plane_view view_in(const Moving_mesh_2& dt, const Region_2& domain, bool open, c
         maker.add_cell(points[v], cut || !stars.cyclic(v), sides[v], parts);
     }
     const auto at = [&](Index v) { return points[static_cast<std::size_t>(v)]; };
-    for (const auto& c : dt.cells().vertices)
-        if (c[2] != none) maker.add_triangle(at(c[0]), at(c[1]), at(c[2]));
+    for (const auto& c : dt.cells().vertices) {
+        if (c[2] == none) continue;
+        const Coordinates<2> centre = circumcentre(at(c[0]), at(c[1]), at(c[2]));
+        if (!open && !(std::isfinite(centre[0]) && std::isfinite(centre[1]) && domain.contains(centre))) continue;
+        maker.add_triangle(at(c[0]), at(c[1]), at(c[2]));
+    }
     return maker.finish();
 }
 
@@ -226,7 +239,25 @@ std::optional<Plane_view> plane_view(const Boxed_mesh<2>& dt, const Density_2* d
             }
         maker.add_triangle(corner[0], corner[1], corner[2]);
     }
-    return maker.finish();
+    Plane_view view = maker.finish();
+    view.cells.outline.push_back(outline_of(dt.box()));
+    return view;
+}
+
+std::vector<std::vector<Coordinates<2>>> border_of(const Region_2& domain) {
+    std::vector<std::vector<Coordinates<2>>> border;
+    if (!domain.convex()) {
+        for (const auto& [a, b] : domain.triangles().edges()) border.push_back({a, b, a});
+        return border;
+    }
+    std::vector<Coordinates<2>>& ring = border.emplace_back();
+    const Domain_2& hull = domain.hull();
+    ring.assign(hull.corners().begin(), hull.corners().end());
+    for (int i = 0; i < 180 && hull.kind() == Domain_2::Kind::disc; ++i) {
+        const double angle = i * std::numbers::pi / 90;
+        ring.push_back({hull.radius() * std::cos(angle), hull.radius() * std::sin(angle)});
+    }
+    return border;
 }
 
 bool is_viewed(std::uint64_t i, std::uint64_t last) {

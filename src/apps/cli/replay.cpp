@@ -83,7 +83,7 @@ class Replay {
 
     void write(const Common_arguments& arguments, std::vector<std::string> notes) {
         if (films_)
-            page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_, page_.axis),
+            page_.film.add(tracker_.record().iterations, picture_of(tracker_.triangulation(), caption_, page_.cut),
                            true);
         if (auto last = tracker_.record().iterations > 0 ? view() : std::nullopt) {
             tracker_.plane_after(last->measures);
@@ -122,7 +122,7 @@ class Replay {
         files_->frame(frame_.number);
         caption_ = "Frame " + std::to_string(frame_.number);
         const std::uint64_t step = tracker_.record().iterations;
-        if (page_.film.includes(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_, page_.axis));
+        if (page_.film.includes(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_, page_.cut));
     }
 
     Replayed_frames<d>& frames_;

@@ -79,6 +79,7 @@ Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_argument
     if (d == 2 && arguments.dimension == 0 && reader_.has_z()) z_ = frame_.position.front()[2];
     require_flat();
     boxes_.take(frame_, reader_.name());
+    if (boxes_.periodic()) first_box_ = box().vectors();
     if (boxes_.periodic())
         spacing_ = std::pow(box().volume() / static_cast<double>(std::max<std::size_t>(first_->x.size(), 1)), 1.0 / d);
 }
@@ -89,6 +90,8 @@ Input_record Replayed_frames<d>::input(const Opened_motion& motion) const {
     if (!boxes_.periodic()) return result;
     result.box_from = boxes_.what();
     for (const auto& vector : box().vectors()) result.box.emplace_back(vector.begin(), vector.end());
+    for (const auto& vector : first_box_)
+        if (box_changes_) result.box_before.emplace_back(vector.begin(), vector.end());
     return result;
 }
 
@@ -137,6 +140,7 @@ bool Replayed_frames<d>::next(Frame_points<d>& frame) {
         if (!reader_.next(frame_)) return false;
         require_flat();
         boxes_.take(frame_, reader_.name());
+        box_changes_ = box_changes_ || (boxes_.periodic() && box().vectors() != first_box_);
         frame = points_of<d>(reader_.name(), frame_, coincident_, reader_.ids());
     }
     return true;

@@ -74,6 +74,8 @@ class Replayed_frames {
     Motion_reader& reader_;
     Frame frame_;
     Frame_boxes<d> boxes_;
+    typename Box<d>::Vectors first_box_{};
+    bool box_changes_ = false;
     std::deque<std::uint64_t> empty_;
     Coincident coincident_;
     std::optional<Frame_points<d>> first_;

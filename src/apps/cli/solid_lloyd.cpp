@@ -41,6 +41,12 @@ struct Solid_scene {
     [[nodiscard]] double spacing() const { return std::cbrt(box.volume() / static_cast<double>(points.size())); }
 };
 
+std::vector<Coordinates<2>> section_of(const Sized_box<3>& box, const Cut_plane& plane) {
+    const std::size_t right = plane.axis == 0 ? 1 : 0, up = plane.axis == 2 ? 1 : 2;
+    const auto &low = box.lower, &high = box.upper;
+    return {{low[right], low[up]}, {high[right], low[up]}, {high[right], high[up]}, {low[right], high[up]}};
+}
+
 bool is_in(const Sized_box<3>& box, const Coordinates<3>& p) {
     for (std::size_t k = 0; k < 3; ++k)
         if (!(p[k] >= box.lower[k] && p[k] <= box.upper[k])) return false;
@@ -142,7 +148,11 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     if (files) require_writable(a.common);
     Tracker_3 tracker(a.tracking.strategy, scene.points, options, scene.spacing(), iterations, a.tracking.audit, files);
     Run_page<Moving_mesh_3> page{.step = "Lloyd iteration"};
-    if (files) page.before = picture_of(tracker.triangulation(), at_start(iterations), page.axis);
+    page.cut = middle_of(scene.box.lower, scene.box.upper, scene.points);
+    if (files) {
+        page.before = picture_of(tracker.triangulation(), at_start(iterations), page.cut);
+        page.before->outline.push_back(section_of(scene.box, *page.cut));
+    }
     Frame_files<Moving_mesh_3> frames(a.common, a.frames, tracker);
     if (a.frames.any()) frames.frame(0);
     Solid_lloyd lloyd(scene.box);

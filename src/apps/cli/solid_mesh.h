@@ -19,6 +19,12 @@ struct Solid_mesh {
     std::vector<Cell> cells;    ///< of points
 };
 
+/// The outline of a box from the origin, for pictures.
+[[nodiscard]] inline std::vector<Coordinates<2>> outline_of(const Box<2>& box) {
+    const auto& [a, b] = box.vectors();
+    return {{0, 0}, a, {a[0] + b[0], a[1] + b[1]}, b};
+}
+
 /// After the caption of a picture of a periodic one.
 inline constexpr const char* with_images = ", with images at the sides of the box";
 
@@ -27,9 +33,16 @@ template <int d>
 template <int d>
 [[nodiscard]] Solid_mesh<d> solid_mesh(const Boxed_mesh<d>& dt);
 
+/// For pictures: of each cell the image whose middle is in the box of the vectors from the origin, and only points that
+/// are corners of them. O(n log n).
+template <int d>
+[[nodiscard]] Solid_mesh<d> cells_in_box(const Boxed_mesh<d>& dt);
+
 extern template Solid_mesh<2> solid_mesh(const Moving_mesh<2>&);
 extern template Solid_mesh<3> solid_mesh(const Moving_mesh<3>&);
 extern template Solid_mesh<2> solid_mesh(const Boxed_mesh<2>&);
 extern template Solid_mesh<3> solid_mesh(const Boxed_mesh<3>&);
+extern template Solid_mesh<2> cells_in_box(const Boxed_mesh<2>&);
+extern template Solid_mesh<3> cells_in_box(const Boxed_mesh<3>&);
 
 }  // namespace annulus::inline v1::cli

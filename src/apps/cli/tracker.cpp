@@ -93,9 +93,10 @@ Picture picture_of(const Moving_mesh_2& dt, std::string caption) {
 }
 
 Picture picture_of(const Boxed_mesh<2>& dt, std::string caption) {
-    Solid_mesh<2> mesh = solid_mesh(dt);
+    Solid_mesh<2> mesh = cells_in_box(dt);
     Picture picture = picture_of(std::move(mesh.points), mesh.cells, std::move(caption) + with_images);
     picture.dots = Dots::images;
+    picture.outline.push_back(outline_of(dt.box()));
     return picture;
 }
 

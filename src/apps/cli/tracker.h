@@ -45,16 +45,22 @@ extern template class Tracker<Moving_mesh_3>;
 using Tracker_2 = Tracker<Moving_mesh_2>;
 using Tracker_3 = Tracker<Moving_mesh_3>;
 
-/// The axis across which all pictures of a page cut a 3D triangulation: chosen by the first picture with points.
-using Cut_axis = std::optional<std::size_t>;
+/// The plane x[axis] = at.
+struct Cut_plane {
+    std::size_t axis = 2;
+    double at = 0;
+};
+/// Where all pictures of a page cut a 3D triangulation: chosen by the first picture with points.
+using Chosen_cut = std::optional<Cut_plane>;
 
-/// The triangulation as a picture for the report. In 2D there is no axis.
+/// The triangulation as a picture for the report; of a periodic one the cells whose middles are in the box, and its
+/// outline. In 2D there is no cut.
 [[nodiscard]] Picture picture_of(const Moving_mesh_2& dt, std::string caption);
 [[nodiscard]] Picture picture_of(const Boxed_mesh<2>& dt, std::string caption);
-[[nodiscard]] inline Picture picture_of(const Moving_mesh_2& dt, std::string caption, Cut_axis&) {
+[[nodiscard]] inline Picture picture_of(const Moving_mesh_2& dt, std::string caption, Chosen_cut&) {
     return picture_of(dt, std::move(caption));
 }
-[[nodiscard]] inline Picture picture_of(const Boxed_mesh<2>& dt, std::string caption, Cut_axis&) {
+[[nodiscard]] inline Picture picture_of(const Boxed_mesh<2>& dt, std::string caption, Chosen_cut&) {
     return picture_of(dt, std::move(caption));
 }
 

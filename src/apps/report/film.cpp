@@ -21,6 +21,7 @@ void Film::clip(Picture& picture) {
     };
     Picture rest{{}, {}, std::move(picture.caption)};
     rest.dots = picture.dots;
+    rest.outline = std::move(picture.outline);
     std::vector<Index> number(picture.points.size(), none);
     const auto take = [&](Index i) {
         Index& n = number[static_cast<std::size_t>(i)];
@@ -55,6 +56,7 @@ std::string Film::html() const {
     bool parts = false;
     for (const Shot& shot : pictures_) {
         all.insert(all.end(), shot.picture.points.begin(), shot.picture.points.end());
+        for (const auto& ring : shot.picture.outline) all.insert(all.end(), ring.begin(), ring.end());
         parts = parts || shot.points > shot.picture.points.size();
     }
     Window window = window_ ? *window_ : window_of(all, all.size(), all.size());

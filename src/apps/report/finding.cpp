@@ -2,6 +2,7 @@
 #include <apps/report/finding.h>
 
 #include <apps/report/axis_ticks.h>
+#include <apps/report/box_change.h>
 #include <apps/report/page.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ std::string from_to(std::uint64_t before, std::uint64_t after) {
 std::string on_mesh(const Mesh_step& before, const Mesh_step& after) {
     return "The least dihedral angle of the mesh " + from_to(before.dihedral_min, after.dihedral_min) +
            " degrees, and the number of slivers " + from_to(before.slivers, after.slivers) + ", of " +
-           count_of(after.cells, "tetrahedron", "tetrahedra") + ".";
+           count_of(after.cells, "tetrahedron", "tetrahedra") + " at the end.";
 }
 
 /// A sentence on the Voronoi neighbours of the inner vertices, of which there are some; `periodic`: all are inner.
@@ -67,7 +68,9 @@ std::string on_plane(const Plane_step& before, const Plane_step& after, bool per
     std::string text;
     if (after.inner > 0) text = on_neighbours(before, after, periodic);
     if (after.angle_mean > 0)
-        text += "The least angle of a triangle " + from_to(before.angle_mean, after.angle_mean) +
+        text += "The least angle of a triangle " +
+                (before.angle_mean > 0 ? from_to(before.angle_mean, after.angle_mean)
+                                       : "is " + readable(after.angle_mean)) +
                 " degrees on average (60 if all are equilateral)";
     if (before.energy && after.energy && *before.energy > 0) {
         const double share = *after.energy / *before.energy;
@@ -100,9 +103,15 @@ std::string on_steps(const Run_record& run) {
         if (!run.finished || !with_last) return count_of(n, word.c_str(), (word + "s").c_str());
         return n == 1 ? "the finish" : count_of(n - 1, word.c_str(), (word + "s").c_str()) + " and the finish";
     };
-    std::string text = "In " + counted_steps(run.steps.size(), true) + (run.replayed ? " after the first" : "") +
-                       " points moved by " + readable(sum / steps) + " mean spacings " + article + word +
-                       " on average, and by " + readable(most) + " at most.";
+    const std::string when = run.replayed
+                                 ? "In the " + (run.steps.size() == 1 ? word : counted_steps(run.steps.size(), true)) +
+                                       " after the first, points "
+                                 : "In " + counted_steps(run.steps.size(), true) + " points ";
+    const std::string relative = box_changes(run) ? " relative to the box" : "";
+    std::string text = when + (only_box_moves(run) ? "did not move" + relative + "."
+                                                   : "moved by " + readable(sum / steps) + " mean spacings " + article +
+                                                         word + " on average, and by " + readable(most) + " at most" +
+                                                         (relative.empty() ? "" : "," + relative) + ".");
     if (run.moves.asked == 0) return text;
     if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every " + word + ".";
     if (const Tested_moves tested = tested_moves(run); tested.steps > 0 && 10 * tested.within_tolerance >= tested.asked)
@@ -138,6 +147,7 @@ std::vector<std::string> findings(const Run_record& run) {
     if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane, !run.input.box.empty()));
     if (run.volume_scatter_before && last.volume_scatter)
         all.push_back(on_volumes(*run.volume_scatter_before, *last.volume_scatter));
+    all.push_back(on_box(run));
     std::erase(all, std::string());
     all.push_back(on_steps(run));
     return all;

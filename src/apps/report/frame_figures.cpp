@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/report/frame_record.h>
 
+#include <apps/report/box_change.h>
+
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -69,10 +71,13 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     const std::string word = step_word(run);
     Figure motion{"Over time", {}, ""}, cells{"Voronoi cells over time", {}, std::move(note)};
     if (steps) {
-        motion.panels.push_back(
-            plot("How far points go in a frame", step_axis_label(run), "displacement (mean spacings)",
-                 {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
-                  over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
+        const std::string length =
+            std::string("displacement (mean spacings") + (box_changes(run) ? ", relative to the box)" : ")");
+        if (!only_box_moves(run))
+            motion.panels.push_back(
+                plot("How far points go in a frame", step_axis_label(run), length,
+                     {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
+                      over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
         if (run.moves.rebuilt == 0)  // a rebuild has no flips
             motion.panels.push_back(plot("Flips", step_axis_label(run), "flips in a frame",
                                          {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));

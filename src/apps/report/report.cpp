@@ -41,7 +41,7 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
         append_row(out, "iterations",
                    grouped(run.iterations - (run.finished ? 1 : 0)) + (run.finished ? " and a finish" : ""));
     append_row(out, "strategy", escaped(run.strategy));
-    append_row(out, "tolerance", escaped(run.tolerance));
+    if (!run.tolerance.empty()) append_row(out, "tolerance", escaped(run.tolerance));
     append_row(out, "threads", grouped(run.threads));
     append_row(out, "seed", std::to_string(run.seed));
     if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
@@ -63,13 +63,17 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     out += "</table><table>\n";
     const Moves_record& moves = run.moves;
     append_row(out, "moves asked for", grouped(moves.asked));
-    append_row(out, "within tolerance, or at rest", with_share(moves.within_tolerance, moves.asked));
+    const std::uint64_t tested = tested_moves(run).steps;
+    append_row(out, tested == 0 ? "at rest" : "within tolerance, or at rest",
+               with_share(moves.within_tolerance, moves.asked));
     append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
     append_row(out, "flipped", with_share(moves.flipped, moves.asked));
     append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
     append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
-    append_row(out, std::string(step_word(run)) + (run.finished ? "s, or finish," : "s") + " that tested tolerances",
-               with_share(tested_moves(run).steps, run.steps.size()));
+    if (tested > 0)
+        append_row(out,
+                   std::string(step_word(run)) + (run.finished ? "s, or finish," : "s") + " that tested tolerances",
+                   with_share(tested, run.steps.size()));
     out += "</table></div>\n";
 }
 
@@ -90,11 +94,13 @@ Window common_window(const std::vector<const Picture*>& pictures, std::size_t mo
     for (const Picture* picture : pictures) all.insert(all.end(), picture->points.begin(), picture->points.end());
     const Window window = window_of(all, most * pictures.size(), within * pictures.size());
     if (!window.whole) return window;
-    for (const Picture* picture : pictures)
+    for (const Picture* picture : pictures) {
         for (const Face& face : picture->faces) {
             all.insert(all.end(), face.corners.begin(), face.corners.end());
             for (const auto& outline : face.more) all.insert(all.end(), outline.begin(), outline.end());
         }
+        for (const auto& ring : picture->outline) all.insert(all.end(), ring.begin(), ring.end());
+    }
     return window_of(all, all.size(), all.size());
 }
 
@@ -134,8 +140,13 @@ std::string plane_caption(const Run_record& run) {
     return std::string(run.input.box.empty()
                            ? "Inner vertices have Voronoi cells that the border does not cut; how many neighbours they "
                              "have is counted. "
-                           : "How many neighbours the vertices have. ") +
-           "Of all triangles the least angle is measured, 60 degrees where all are equilateral. The energy is the "
+                           : "The neighbours of all vertices are counted. ") +
+           "The least angle is measured of " +
+           (run.clip || (run.input.box.empty() && !run.replayed)
+                ? "each triangle around whose middle, its circumcentre, three cells meet within the " +
+                      std::string(run.clip ? "clip" : "domain")
+                : "all triangles") +
+           ": 60 degrees where all are equilateral. The energy is the "
            "integral of the density times the squared distance to the nearest point: what Lloyd's iterations make "
            "smaller.";
 }
@@ -229,7 +240,10 @@ std::string report_html(const Report& report) {
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     // Of several strategies the page shows the iterations of the last one.
     const std::string of = report.comparison && report.comparison->runs.size() > 1 ? ": " + run.strategy : "";
-    append_plots(out, "Convergence" + of, convergence_plots(report),
+    const char* const course = !run.replayed           ? "Convergence"
+                               : run.tolerance.empty() ? "Displacements"
+                                                       : "Displacements and tolerances";
+    append_plots(out, course + of, convergence_plots(report),
                  "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
                  "on average.");
     const Tested_moves tested = tested_moves(run);

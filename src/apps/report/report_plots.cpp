@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/report/axis_ticks.h>
+#include <apps/report/box_change.h>
 #include <apps/report/report_plots.h>
 
 #include <limits>
@@ -38,19 +39,39 @@ void add_measured(std::vector<Series>& all, std::string name, const std::vector<
     if (!series.x.empty()) all.push_back(std::move(series));
 }
 
+/// An axis that has the start, too, as 0, or where steps are many, logarithmic, as 1.
+bool begins_at_one(const Run_record& run) { return run.steps.size() > 50; }
+Axis axis_from_start(const Run_record& run) {
+    const bool one = begins_at_one(run);
+    return {(one ? "1 + " : "") + std::string(step_axis_label(run)), one ? Scale::log10 : Scale::linear, {}, {}, true};
+}
+/// Puts the value at the start before a curve over the steps.
+void begin_with(Series& series, const Run_record& run, std::optional<double> start) {
+    if (start) {
+        series.x.insert(series.x.begin(), 0);
+        series.y.insert(series.y.begin(), *start);
+    }
+    if (begins_at_one(run))
+        for (double& x : series.x) ++x;
+}
+
 /// How the volumes of Voronoi cells scatter; empty where that was not measured.
 Series scatter_curve(const Run_record& run) {
     std::vector<Series> all;
     add_measured(all, "", run.steps, [](const Iteration_record& s) {
         return s.volume_scatter ? std::optional(100 * *s.volume_scatter) : std::nullopt;
     });
-    return all.empty() ? Series{} : std::move(all.front());
+    if (all.empty() || all.front().x.size() < 2) return {};
+    begin_with(all.front(), run,
+               run.volume_scatter_before ? std::optional(100 * *run.volume_scatter_before) : std::nullopt);
+    return std::move(all.front());
 }
 
 Axis step_axis(const Run_record& run, Scale scale) { return {step_axis_label(run), scale, {}, {}, true}; }
 
 /// "iteration 10", or of a replayed motion, whose frames have numbers of their own, "after 10 frames".
 std::string label_of(const Run_record& run, std::uint64_t step) {
+    if (run.finished && step == run.iterations) return "the finish";
     return run.replayed ? "after " + grouped(step) + (step == 1 ? " frame" : " frames") : "iteration " + grouped(step);
 }
 
@@ -59,8 +80,8 @@ std::string label_of(const Run_record& run, std::uint64_t step) {
 std::vector<Plot> convergence_plots(const Report& report) {
     std::vector<Plot> plots;
     const auto& steps = report.run.steps;
-    if (!steps.empty()) {
-        Plot plot{"Displacement, tolerance, annulus width",
+    if (!steps.empty() && !only_box_moves(report.run)) {
+        Plot plot{"",
                   step_axis(report.run, Scale::log10),
                   {"mean over vertices (mean spacings)", Scale::log10, {}, {}, false},
                   {}};
@@ -69,6 +90,9 @@ std::vector<Plot> convergence_plots(const Report& report) {
         add_measured(plot.series, "tolerance", steps, [](const Iteration_record& s) { return s.tolerance_mean; });
         add_measured(plot.series, "annulus width", steps,
                      [](const Iteration_record& s) { return s.annulus_width_mean; });
+        for (const Series& s : plot.series) plot.title += (plot.title.empty() ? "" : ", ") + s.name;
+        plot.title[0] = 'D';  // displacement, which all runs have
+        if (box_changes(report.run)) plot.title += ", relative to the box";
         plots.push_back(std::move(plot));
     }
     if (!report.annulus_widths.empty()) {
@@ -130,8 +154,7 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
                   {angles("before", *run.mesh_before)}};
     if (!run.steps.empty() && run.steps.back().mesh) dihedral.series.push_back(angles("after", *run.steps.back().mesh));
     std::vector<Plot> plots{dihedral};
-    Plot slivers{
-        "Slivers", step_axis(run, Scale::log10), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
+    Plot slivers{"Slivers", axis_from_start(run), {"cells that are slivers (%)", Scale::linear, 0., {}, false}, {}};
     Plot locked{"Locked vertices", step_axis(run, Scale::log10), {"vertices (%)", Scale::linear, 0., {}, false}, {}};
     const auto share = [](std::uint64_t part, std::uint64_t all) {
         return all > 0 ? 100 * static_cast<double>(part) / static_cast<double>(all) : 0;
@@ -139,6 +162,8 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
     add_measured(slivers.series, "", run.steps, [&](const Iteration_record& s) {
         return s.mesh ? std::optional(share(s.mesh->slivers, s.mesh->cells)) : std::nullopt;
     });
+    if (!slivers.series.empty())
+        begin_with(slivers.series.front(), run, share(run.mesh_before->slivers, run.mesh_before->cells));
     bool any = false;
     for (const Iteration_record& s : run.steps) any = any || (s.mesh && s.mesh->locked > 0);
     if (any)
@@ -152,11 +177,13 @@ std::vector<Plot> mesh_plots(const Run_record& run) {
 
 std::vector<Plot> regularity_plots(const Run_record& run) {
     const auto curve = [&](std::string name, auto value) {
-        std::vector<Series> all;
+        std::vector<Series> all;  // of two measured steps or more, and the start
         add_measured(all, std::move(name), run.steps, [&](const Iteration_record& s) -> std::optional<double> {
             return s.plane ? value(*s.plane) : std::nullopt;
         });
-        return all.empty() ? Series{} : std::move(all.front());
+        if (all.empty() || all.front().x.size() < 2) return Series{};
+        begin_with(all.front(), run, run.plane_before ? std::optional<double>(value(*run.plane_before)) : std::nullopt);
+        return std::move(all.front());
     };
     const auto share = [&](std::string name, std::size_t which) {
         return curve(std::move(name), [which](const Plane_step& p) {
@@ -168,16 +195,16 @@ std::vector<Plot> regularity_plots(const Run_record& run) {
     const char* const counted = run.input.box.empty() ? "inner vertices (%)" : "vertices (%)";
     const double first = run.plane_before && run.plane_before->energy ? *run.plane_before->energy : 0;
     std::vector<Plot> plots{{"Numbers of neighbours",
-                             step_axis(run, Scale::log10),
+                             axis_from_start(run),
                              {counted, Scale::linear, 0., {}, false},
                              {share("seven", 3), share("five", 1), share("six", 2)}},
                             {"Least angles of triangles",
-                             step_axis(run, Scale::log10),
+                             axis_from_start(run),
                              {"angle (degrees)", Scale::linear, 0., 60., false},
                              {curve("mean", [](const Plane_step& p) { return std::optional(p.angle_mean); }),
                               curve("least", [](const Plane_step& p) { return std::optional(p.angle_min); })}},
                             {"Energy",
-                             step_axis(run, Scale::log10),
+                             axis_from_start(run),
                              {"energy (% of that at the start)", Scale::linear, {}, {}, false},
                              {curve("",
                                     [&](const Plane_step& p) {
@@ -185,7 +212,7 @@ std::vector<Plot> regularity_plots(const Run_record& run) {
                                                                      : std::nullopt;
                                     })}},
                             {"Volumes of Voronoi cells",
-                             step_axis(run, Scale::log10),
+                             axis_from_start(run),
                              {"standard deviation (% of the mean)", Scale::linear, 0., {}, false},
                              {scatter_curve(run)}}};
     for (Plot& plot : plots) std::erase_if(plot.series, [](const Series& s) { return s.x.size() < 2; });

@@ -59,9 +59,9 @@ svg{display:block;width:100%;height:auto}
 .face{stroke:var(--edge);stroke-linejoin:round}
 .n0{fill:#8c3300}.n1{fill:#ef8f4d}.n2{fill:var(--six)}.n3{fill:#6db3e3}.n4{fill:#0b5c94}.n5{fill:var(--bg)}
 .q0{fill:#c02f20}.q1{fill:#f0915f}.q2{fill:#fbd9a3}.q3{fill:#cfe3ee}.q4{fill:#74b0d6}.q5{fill:#2f74b0}
-.edges,.dots,.halo,.curve,.lead,.grid,.tick,.axis{fill:none}
+.edges,.outline,.dots,.halo,.curve,.lead,.grid,.tick,.axis{fill:none}
 .edges{stroke:var(--edge);stroke-linejoin:round}.dots,.halo{stroke-linecap:round}
-.dots{stroke:var(--c0)}.halo{stroke:var(--bg)}
+.outline{stroke:var(--ink)}.dots{stroke:var(--c0)}.halo{stroke:var(--bg)}
 .grid{stroke:var(--grid)}.tick,.axis{stroke:var(--soft)}
 .curve{stroke-width:2;stroke-linejoin:round;stroke-linecap:round}
 .lead{stroke-width:.8;opacity:.55;stroke-dasharray:none!important}

@@ -57,7 +57,7 @@ struct Mesh_step {
 struct Plane_step {
     std::uint64_t inner = 0;                    ///< vertices with cells that are not at the border: see plane_view.h
     std::array<std::uint64_t, 5> neighbours{};  ///< how many of these have up to 4, 5, 6, 7, from 8 on; see shades.h
-    double angle_min = 0, angle_mean = 0;       ///< of the least angles of all triangles, degrees
+    double angle_min = 0, angle_mean = 0;       ///< of the least angles of triangles (plane_view.h), degrees
     /// The integral over the domain of the density times the square of the distance to the nearest vertex.
     std::optional<double> energy{};
 };
@@ -101,6 +101,7 @@ struct Input_record {
     std::vector<std::string> warnings;       ///< the same as lines, and what may have another meaning
     std::string box_from{};                  ///< what gives the periodic box: "Lattice", "--box"; empty without one
     std::vector<std::vector<double>> box{};  ///< the vectors of that of the last frame
+    std::vector<std::vector<double>> box_before{};  ///< those of the first, if the box is not the same in all frames
 };
 
 /// The region to which Voronoi cells are clipped: --clip.
@@ -121,7 +122,7 @@ struct Run_record {
     bool finished = false;     ///< the last step is no iteration: nodt --finish
     bool replayed = false;     ///< the steps are from frame to frame of a file, and pages call them frames
     std::string strategy;
-    std::string tolerance;
+    std::string tolerance;  ///< empty where there are none: in a periodic box
     unsigned threads = 1;
     std::uint64_t seed = 0;
     Seconds_record seconds;
@@ -142,7 +143,7 @@ struct Run_record {
 
 /// What pages write at an axis of steps: frames of a file have numbers of their own.
 [[nodiscard]] inline const char* step_axis_label(const Run_record& run) {
-    return run.replayed ? "frames after the first" : "iteration";
+    return run.replayed ? "frames after the first" : run.finished ? "iteration, the last: the finish" : "iteration";
 }
 
 /// The moves of those steps of a run that tested tolerances.

@@ -202,6 +202,9 @@ std::string svg_triangulation(const Picture& picture, const Window& window) {
     }
     if (!edges.empty() || picture.faces.empty())
         out += "<path class=\"edges\" stroke-width=\"" + line + "\" d=\"" + trails(edges, at) + "\"/>";
+    std::string outline;
+    for (const auto& ring : picture.outline) append_outline(outline, ring, window);
+    if (!outline.empty()) out += "<path class=\"outline\" stroke-width=\"25\" d=\"" + outline + "\"/>";
     const double dot = std::clamp(0.22 * spacing, 20., 130.);
     if (picture.dots != Dots::crossings && !picture.faces.empty())  // visible on faces of any colour
         out += "<path class=\"halo\" stroke-width=\"" + thickness(1.6 * dot) + "\" d=\"" + dots + "\"/>";

@@ -31,6 +31,7 @@ struct Picture {
     std::vector<Face> faces{};
     Shading shading = Shading::neighbours;  ///< of the faces
     Dots dots = Dots::vertices;
+    std::vector<std::vector<Coordinates<2>>> outline{};  ///< closed lines: the domain, the periodic box
 };
 
 /// The square that a picture shows.
@@ -49,8 +50,8 @@ struct Window {
 [[nodiscard]] std::size_t points_in(const Window& window, const std::vector<Coordinates<2>>& points);
 
 /// The picture as one SVG element, as large as its container; y goes up. Edges are thin, and vertices are dots when
-/// there are few enough to tell apart; crossings are not drawn. Of faces those with a corner in the window are drawn.
-/// Throws Error(unknown_vertex) for an edge that names no point. Linear.
+/// there are few enough to tell apart; crossings are not drawn. The outline is above edges and faces. Of faces those
+/// with a corner in the window are drawn. Throws Error(unknown_vertex) for an edge that names no point. Linear.
 [[nodiscard]] std::string svg_triangulation(const Picture& picture, const Window& window);
 
 }  // namespace annulus::inline v1
