@@ -45,8 +45,8 @@ TEST_CASE("Two values in bins beside one another are two steps, and zeros are be
     samples.insert(samples.end(), 40, 0.561);
     samples.insert(samples.end(), 40, 0.794);
     const auto found = points(curve(samples));
-    for (const auto& corner : {std::pair(0.561, 20.), std::pair(0.561, 60.), std::pair(0.794, 60.),
-                               std::pair(0.794, 100.)})
+    for (const auto& corner :
+         {std::pair(0.561, 20.), std::pair(0.561, 60.), std::pair(0.794, 60.), std::pair(0.794, 100.)})
         CHECK(std::find(found.begin(), found.end(), corner) != found.end());
     CHECK(found.front().second == 20);
 }
@@ -76,9 +76,9 @@ TEST_CASE("A curve ascends, is right at the edges of bins, and is nowhere off by
         RC_ASSERT(s.y.back() == 100);
         const Histogram scale = Distribution().histogram;
         const auto below = [&](double x) {
-            return 100. * static_cast<double>(std::count_if(samples.begin(), samples.end(), [&](double v) {
-                       return v < x;
-                   })) / static_cast<double>(samples.size());
+            return 100. *
+                   static_cast<double>(std::count_if(samples.begin(), samples.end(), [&](double v) { return v < x; })) /
+                   static_cast<double>(samples.size());
         };
         for (std::size_t i = 0; i < s.x.size(); ++i) {
             const auto upper = std::upper_bound(scale.edges().begin(), scale.edges().end(), s.x[i]);

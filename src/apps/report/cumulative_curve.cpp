@@ -53,8 +53,7 @@ Series cumulative_curve(std::string name, const Binned& samples, std::span<const
         const double from = percentage(below);
         below += samples.counts[i];
         const double to = percentage(below), lower = samples.edges[i], upper = samples.edges[i + 1];
-        const auto steps =
-            steps_between(quantiles, lower, upper, i + 1 == samples.counts.size(), from, to);
+        const auto steps = steps_between(quantiles, lower, upper, i + 1 == samples.counts.size(), from, to);
         const bool starts = i == first && from == 0 && !steps.empty();  // at the least sample, not at the edge
         if (!starts) add(lower, from);
         for (const Step& step : steps) {
