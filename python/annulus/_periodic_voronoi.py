@@ -189,11 +189,13 @@ class PeriodicVoronoi(Diagram):
     def _cells(self) -> tuple[NDArray[np.intp], Indices]:
         """Of the cell of point i corners[begin[i]:begin[i + 1]], rows [vertex, shift]; in 2D counter-clockwise."""
         size = np.diff(self._begin)
-        if self.points.shape[1] == 2:  # each side begins at a corner; directions of neighbours, in order, are exact
+        if self.points.shape[1] == 2:  # each side begins at a corner; neighbours are in the order of directions
             here, there = self._corners.reshape(-1, 2, 3).transpose(1, 0, 2)
             cell = self.ridge_points.T.reshape(-1)
             rows = np.concatenate([here, self._moved(there, self.ridge_shifts)])
             to = np.concatenate([self.vectors, -self.vectors])
+            # Of a box that is thin along an axis: scaled, which keeps the order, directions are not alike.
+            to = np.ldexp(to, -np.frexp(np.abs(to).max(axis=0, initial=0.0))[1])
             order = np.lexsort((np.arctan2(to[:, 1], to[:, 0]), cell))
         else:
             cell = np.repeat(self.ridge_points, size, axis=0).T.reshape(-1)

@@ -223,3 +223,15 @@ def test_errors_and_nothing():
     dt.remove([0])
     v = check(dt)
     assert v.regions == [[]] and v.polygon(0).shape == (0, 2) and v.faces(0) == []
+
+
+@pytest.mark.parametrize("box", [[1e-20, 1], [1, 1e-20], [3.4e-36, 1], [[1e-17, 0], [.3e-17, 1]]])
+def test_cells_of_boxes_that_are_thin_along_an_axis(box):
+    basis = np.diag(box) if np.ndim(box) == 1 else np.array(box)
+    for points in ([[0.0, 0.0]], [[0.0, 0.0], [.3, .5]], [[.1, .2], [.4, .9], [.8, .3]]):
+        diagram = annulus.MovingDelaunay(np.array(points) @ basis, box=box).voronoi()
+        for i, volume in enumerate(diagram.volumes):
+            corners = diagram.polygon(i) @ np.linalg.inv(basis)
+            x, y = corners.T
+            area = (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+            assert area == pytest.approx(volume / abs(np.linalg.det(basis)), rel=1e-9)

@@ -81,15 +81,18 @@ void Periodic_builder<d>::copy_into(const Lattice<d>& lattice, std::span<const C
                                     const Coordinates<d>& collar) {
     copy_.clear();
     image_.clear();
+    home_.resize(place.size());
     for (std::size_t v = 0; v < place.size(); ++v) {
         if (!is_place<d>(place[v])) continue;
         const Coordinates<d> f = lattice.in_basis(place[v]);
-        Shift<d> low, high;
+        Shift<d> low, high, o;
         for (std::size_t i = 0; i < d; ++i) {
             low[i] = static_cast<std::int32_t>(std::ceil(-collar[i] - f[i]));
             high[i] = static_cast<std::int32_t>(std::floor(1 + collar[i] - f[i]));
+            o[i] = static_cast<std::int32_t>(-std::floor(f[i]));
         }
-        for (Shift<d> o = low;;) {
+        home_[v] = Offset<d>(o);
+        for (o = low;;) {
             const Offset<d> offset(o);
             copy_.push_back(lattice.place(place[v], offset));
             image_.emplace_back(static_cast<Index>(v), offset);
@@ -132,7 +135,8 @@ bool Periodic_builder<d>::keep_one_of_each(Periodic_table<d>& table) {
         Cell_images<d> cell;
         for (std::size_t i = 0; i <= d; ++i)
             cell[i] = image_[static_cast<std::size_t>(cells_.vertex(cells_.corner(c, static_cast<int>(i))))];
-        if (!std::min_element(cell.begin(), cell.end())->label.is_zero()) continue;
+        const Image<d> least = *std::min_element(cell.begin(), cell.end());
+        if (least.label != home_[static_cast<std::size_t>(least.vertex)]) continue;
         kept_[c.offset()] = static_cast<Index>(table.size());
         auto& vertex = table.vertex.emplace_back();
         auto& offset = table.offset.emplace_back();

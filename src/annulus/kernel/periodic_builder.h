@@ -16,8 +16,8 @@ namespace annulus::inline v1 {
 ///
 ///     +---------------+
 ///     |  . copies  .  |    The points are copied into a collar around the basis' cell and triangulated by Builder.
-///     |  +---------+  |    Of the cells, one of each orbit is kept: that whose least image (vertex, offset) has the
-///     |. |  points |. |    offset 0. Where its neighbour is not the one that is kept, facets are matched by their
+///     |  +---------+  |    Of the cells, one of each orbit is kept: that whose least image (vertex, offset) is in the
+///     |. |  points |. |    basis' cell. Where its neighbour is not the one that is kept, facets are matched by their
 ///     |  +---------+  |    images up to a translation. The result counts if it is proved (is_proved_delaunay), so it
 ///     |  .  .   .  .  |    need not be known how wide the collar has to be: it is widened until that is so.
 ///     +---------------+
@@ -46,6 +46,7 @@ class Periodic_builder {
     Builder<d> builder_;
     std::vector<Coordinates<d>> copy_;  // places
     std::vector<Image<d>> image_;       // by copy
+    std::vector<Offset<d>> home_;       // by vertex: of the image in the basis' cell
     std::vector<Index> numbers_;        // 0, 1, 2 ..
     Corner_table<d> cells_;             // of the copies, in an order that does not depend on threads
     std::vector<Index> kept_;           // by cell of the copies: its number in the table, or -1
