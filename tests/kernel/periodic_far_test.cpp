@@ -32,7 +32,8 @@ TEST_CASE("A point on a side of the box, thousands of boxes away, is one point o
                 expect_whole<2>(one);
                 one.move_all(std::vector<Coordinates<2>>{{-x, x}});
                 expect_whole<2>(one);
-                Periodic_mesh<2> line(std::vector<Coordinates<2>>{{x, 0}, {x, 0.3 * length}, {x, 0.6 * length}}, square);
+                Periodic_mesh<2> line(std::vector<Coordinates<2>>{{x, 0}, {x, 0.3 * length}, {x, 0.6 * length}},
+                                      square);
                 expect_whole<2>(line);
                 const auto cube = Box<3>::orthorhombic({length, length, length});
                 std::vector<Coordinates<3>> fcc{{0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}};
