@@ -56,7 +56,8 @@ void check_products(Random& random) {
     CHECK(a.sign() == sgn(value_of(a)));
 }
 
-/// Points of a grid of 2^bits steps a side, on a sphere, a plane or a lattice of few steps more often than not.
+/// Points of a grid of 2^bits steps a side, on a sphere, a plane or a lattice of few steps more often than not; some of
+/// them far finer than others.
 template <int d, std::size_t k>
 std::array<Coordinates<d>, k> grid_points(Random& random, int bits) {
     const auto steps = [&](int b) { return static_cast<double>(static_cast<std::int64_t>(random() >> (64 - b))); };
@@ -70,6 +71,8 @@ std::array<Coordinates<d>, k> grid_points(Random& random, int bits) {
     if (kind == 3)  // two opposite corners of a box, and others of it: on one sphere
         for (std::size_t i = 2; i < k; ++i)
             for (std::size_t c = 0; c < d; ++c) x[i][c] = x[random() % 2][c];
+    if (random() % 4 == 0)  // then only the wider integers have enough bits
+        for (double& c : x[random() % k]) c = std::ldexp(c, -static_cast<int>(random() % 130));
     const int scale = static_cast<int>(random() % 400) - 200;
     for (auto& p : x)
         for (double& c : p) c = std::ldexp(c, scale);
@@ -93,12 +96,14 @@ TEST_CASE("Wide integers are those of GMP", "[kernel]") {
         check_products<2, 2>(random);
         check_products<3, 2>(random);
         check_products<1, 4>(random);
+        check_products<4, 2>(random);
+        check_products<6, 4>(random);
     }
 }
 
 TEMPLATE_TEST_CASE_SIG("Signs in integers are those of GMP, dimension", "[kernel]", ((int d), d), 2, 3) {
     Random random(run_seed());
-    int decided = 0, zeros = 0;
+    int decided = 0, zeros = 0, wide = 0, left = 0;
     for (int i = 0; i < repeats(20000); ++i) {
         const int bits = 1 + static_cast<int>(random() % 53);
         auto x = grid_points<d, d + 2>(random, bits);
@@ -122,17 +127,26 @@ TEMPLATE_TEST_CASE_SIG("Signs in integers are those of GMP, dimension", "[kernel
         all[d + 1] = &x[d];
         const int empty = exact_empty_sphere_sign(all).sign;
         zeros += empty == 0 ? 1 : 0;
+        left += holds ? 0 : 1;
         if (!holds) continue;
         ++decided;
+        double largest = 0, finest = 0;
+        for (const auto& p : scaled<d>(x)) {
+            finest = std::max(finest, p.scale);
+            for (const double c : *p.x) largest = std::max(largest, std::fabs(c));
+        }
+        wide += largest * finest >= 0x1p60 ? 1 : 0;
         REQUIRE(*holds == ((empty != 0 ? empty : perturbed_sign(all)) < 0));
     }
     CHECK(decided > repeats(2000));
     CHECK(zeros > repeats(200));
+    CHECK(wide > repeats(500));
+    CHECK(left > repeats(50));
 }
 
 TEMPLATE_TEST_CASE_SIG("What has too many bits for integers is left alone, dimension", "[kernel]", ((int d), d), 2, 3) {
     std::array<Coordinates<d>, d + 2> x{};
-    for (std::size_t k = 0; k <= d + 1; ++k) x[k][k % d] = k < d ? 1.0 : 0x1p-70 * static_cast<double>(k);
+    for (std::size_t k = 0; k <= d + 1; ++k) x[k][k % d] = k < d ? 1.0 : 0x1p-130 * static_cast<double>(k);
     CHECK(!integer_sphere_holds<d>(scaled<d>(x)));
     for (auto& p : x) p[0] = 0x1p-1074 * p[1];
     x[0][0] = 0x1p-1074;  // times no double an integer

@@ -22,7 +22,7 @@ struct Wide_integer {
         for (const std::uint64_t w : word) any |= w;
         return any != 0 ? 1 : 0;
     }
-    friend Wide_integer operator+(const Wide_integer& a, const Wide_integer& b) {
+    [[gnu::always_inline]] friend Wide_integer operator+(const Wide_integer& a, const Wide_integer& b) {
         Wide_integer r;
         std::uint64_t carry = 0;
         for (std::size_t i = 0; i < N; ++i) {
@@ -32,7 +32,7 @@ struct Wide_integer {
         }
         return r;
     }
-    friend Wide_integer operator-(const Wide_integer& a, const Wide_integer& b) {
+    [[gnu::always_inline]] friend Wide_integer operator-(const Wide_integer& a, const Wide_integer& b) {
         Wide_integer r;
         std::uint64_t borrow = 0;
         for (std::size_t i = 0; i < N; ++i) {
@@ -47,7 +47,8 @@ struct Wide_integer {
 /// The lowest 64 (N + M) bits of the product. Multiplies as unsigned words. For each factor that is negative it then
 /// subtracts the other factor, shifted up by the number of words of the negative one. Without branches.
 template <std::size_t N, std::size_t M>
-[[nodiscard]] Wide_integer<N + M> product(const Wide_integer<N>& a, const Wide_integer<M>& b) {
+[[nodiscard, gnu::always_inline]] inline Wide_integer<N + M> product(const Wide_integer<N>& a,
+                                                                     const Wide_integer<M>& b) {
     Wide_integer<N + M> r;
     for (std::size_t i = 0; i < N; ++i) {
         std::uint64_t carry = 0;

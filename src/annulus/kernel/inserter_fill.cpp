@@ -96,11 +96,15 @@ void Inserter<d>::fill(Rank v) {
     const std::span<const Facet> facets(cavity_.facets.data(), cavity_.border_size);
     glue(v, facets);
     const std::span<const Cell> made(cavity_.cells.data(), facets.size());
-    if (!meets_infinity) return cached_spheres(g, made);
+    cached_spheres(g, made);  // of infinite cells they have no meaning yet
+    if (!meets_infinity) return;
     const Coordinates<d>& p = g.at(v);
-    for (std::size_t f = 0; f < facets.size(); ++f)
-        g.cells[made[f]].sphere =
-            std::apply([&](auto... w) { return cached_sphere(g.lifted(w, p)..., g.bound(made[f])); }, facets[f].vertex);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const auto& w = facets[f].vertex;
+        if (std::find(w.begin(), w.end(), g.infinity) != w.end())
+            g.cells[made[f]].sphere =
+                std::apply([&](auto... u) { return cached_sphere(g.lifted(u, p)..., g.bound(made[f])); }, w);
+    }
 }
 
 template bool Inserter<2>::read_border();

@@ -10,7 +10,8 @@
 namespace annulus::inline v1 {
 
 // The exact stage of the kernel: signs of determinants of integers of a fixed width, without heap memory. Points on
-// the unit sphere, lattices and the like are decided here; points that span too many bits are left to GMP.
+// the unit sphere, lattices and the like are decided here. Coordinates have up to 60 bits on their finest common grid,
+// or else up to 124, in integers of twice the words; points that span more bits are left to GMP.
 
 /// A point, and a power of two that makes its coordinates integers (0: no normal double does).
 template <int d>
