@@ -123,7 +123,7 @@ bool Repair<d>::repair_one(Step<d>& step, std::span<Coordinates<d>> x) {
 /// reinsertion, and lead nowhere half of the time. Precondition: the inverted ones, or none, are on the list.
 template <int d>
 bool Repair<d>::goes_far(Index mover) const {
-    constexpr double share = d == 2 ? 0.3 : 0.5;
+    constexpr double share = d == 2 ? 0.3 : 0.25;
     return Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) >
            share * reinsertion_cost(mesh_.table(), mover);
 }

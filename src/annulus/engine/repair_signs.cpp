@@ -30,6 +30,10 @@ bool Repair<d>::signs_hold(Step<d>& step, double most) {
         return !step.infeasible;
     };
     std::erase_if(signs_.inverted(), [&](Cell_index c) { return goes_on() && !signs_.is_inverted(c); });
+    if (step.mover != none && goes_far(step.mover)) {
+        step.count(signs_.take_counts());  // it is reinserted, and what it violates may take an exact evaluation
+        return false;
+    }
     std::erase_if(signs_.violated(), [&](Corner_index f) { return goes_on() && !signs_.is_violated(f); });
     for (const Cell_index c : signs_.inverted())
         for (const Index v : cell_vertices(t, c)) step.affected.push_back(v);
