@@ -59,6 +59,9 @@ class Degeneracy(tool.ToolTest):
         self.assertIsNone(result["standard_annuli"])
         page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
         self.assertNotIn('aria-label="Tolerances of vertices"', page)  # all are exactly 0
+        self.assertIn("All vertices have a certified tolerance of 0", page)
+        self.assertIn("The histogram of widths leaves out 25 of the 65 bi-cells", page)
+        self.assertIn("<h2>Terms</h2>\n<p>Bi-cell: two triangles that share an edge. ", page)
         # Half of the bi-cells are 0, the others have one width: a step up to 100 %, on a decade or more.
         widths = page.split('aria-label="Widths"')[1].split("</svg>")[0]
         labels = re.findall(r'class="tl m"[^>]*>([^<]+)<', widths)
@@ -74,6 +77,18 @@ class Degeneracy(tool.ToolTest):
         (x0, n0), (x1, n1) = ticks[0], ticks[-1]
         share = math.log(result["bicells"]["width"]["quantiles"]["1"] / n0) / math.log(n1 / n0)
         self.assertAlmostEqual(float(curve[1][0]), x0 + share * (x1 - x0), delta=0.5)
+
+    def test_widths_that_are_all_equal(self):
+        """Of two equilateral triangles: no histogram, which would be a bar."""
+        self.study(self.csv("rhombus.csv", [(0, 0), (1, 0), (0.5, 3 ** 0.5 / 2), (1.5, 3 ** 0.5 / 2)]))
+        page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
+        self.assertIn("The only bi-cell is not exactly degenerate: the narrowest annulus is ", page)
+        self.assertIn(" The bi-cell has the width ", page)
+        self.assertIn('aria-label="Widths"', page)
+        self.assertNotIn('aria-label="Widths of bi-cells"', page)
+        self.study(self.csv("bent.csv", [(0, 0), (1, 0), (0.5, 0.9), (1.5, 1), (2.5, 0.3)]))
+        page = (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8")
+        self.assertIn('aria-label="Widths of bi-cells"', page)
 
     def test_a_lattice(self):
         result = self.study(self.csv("lattice.csv", LATTICE))

@@ -58,6 +58,11 @@ class Degeneracy(tool.ToolTest):
         self.assertIn(f'<p class="finding">25 of the {bicells} bi-cells of 3 frames are exactly degenerate, in 1 of '
                       "them. The median certified tolerance ", page)
         self.assertIn("The paper&#39;s tolerance is sound at all vertices.</p>", page)
+        # What is 0 in all frames is a sentence, and no plot.
+        self.assertIn('aria-label="Bi-cells that are exactly degenerate"', page)
+        self.assertNotIn('aria-label="Vertices at which', page)
+        self.assertIn("The paper&#39;s tolerance is sound at all vertices of all frames.", page)
+        self.assertIn("<h2>Terms</h2>", page)
         lines = self.succeed("degeneracy", self.motion(), "--every", "1").stdout.splitlines()
         self.assertEqual(len(lines), 8)
 
@@ -68,6 +73,13 @@ class Degeneracy(tool.ToolTest):
             rows = list(csv.DictReader(file))
         self.assertEqual([(r["points"], r["mean_spacing"] == "") for r in rows],
                          [("3", True), ("0", True), ("3", False)])
+        said = "The points of no frame span the space"
+        self.assertNotIn(said, (self.here / "out" / "degeneracy.html").read_text(encoding="utf-8"))
+        self.write("flat.xyz", "3\n\n0 0\n1 1\n2 2\n0\n\n")
+        self.succeed("degeneracy", "flat.xyz", "--every", "1", "--output", "flat", "--quiet")
+        page = (self.here / "flat" / "degeneracy.html").read_text(encoding="utf-8")
+        self.assertIn(said, page)
+        self.assertNotIn("<svg", page)
 
     def test_thresholds(self):
         self.xyz("grid.xyz", tool.GRID)

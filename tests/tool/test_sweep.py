@@ -283,6 +283,19 @@ class Found(SweepTest):
         names = re.findall(r'class="name c\d" x="[^"]*" y="[^"]*" dy=".34em">([^<]*)<', page)
         self.assertIn("jittered, 60, decimal:3", names)
         self.assertFalse([name for name in names if "3D" in name or len(name) > 24])
+        # Whose name is long is called what no other has.
+        self.assertFalse([name for name in names if name.startswith("row ")])
+        # The filter decides all cells in 3D; the paper's tolerance is right in 2D.
+        self.assertRegex(page, r"<figcaption>The filter decided all [\d,]+ cells. Of the certificates in a bin, ")
+        self.assertEqual(page.count('aria-label="Cells by width"'), 1)
+        self.assertEqual(page.count("The paper&#39;s tolerance is the exact one at all vertices"), 1)
+        self.assertEqual(page.count('aria-label="The paper&#39;s tolerance over the exact one"'), 1)
+        self.assertIn("<h2>Terms</h2>\n<p>Bi-cell: two triangles that share an edge (2D) or tetrahedra that", page)
+        # Curves of ratios begin at 1 or below, and not at the upper edge of the bin of 1.
+        ratios = page.split('aria-label="The paper&#39;s tolerance over the exact one"')[1].split("</svg>")[0]
+        tick = float(re.search(r'class="tl m" x="([\d.]+)"[^>]*>1<', ratios)[1])
+        for curve in re.findall(r'class="curve [^"]*" d="M([\d.]+) ', ratios):
+            self.assertLessEqual(float(curve), tick + 0.2)
 
 
 if __name__ == "__main__":

@@ -70,6 +70,11 @@ Tally& Tally::operator+=(const Tally& other) {
     return *this;
 }
 
+std::uint64_t count(const Tally& tally, const std::string& name) {
+    const auto found = tally.counts.find(name);
+    return found == tally.counts.end() ? 0 : found->second;
+}
+
 const std::vector<Scale_of>& scales() {
     static const std::vector<Scale_of> all = all_scales();
     return all;

@@ -46,6 +46,9 @@ struct Scale_of {
 [[nodiscard]] const Histogram& scale(const std::string& name);
 [[nodiscard]] Bins bins_of(const Histogram& histogram);
 
+/// The count with that name, 0 where there is none.
+[[nodiscard]] std::uint64_t count(const Tally& tally, const std::string& name);
+
 /// The value below which a share p of the samples is, by linear interpolation in its bin (of the logarithms on a
 /// logarithmic scale); the first or the last edge where it is beyond. NaN without samples.
 [[nodiscard]] double quantile(const Bins& bins, const Histogram& scale, double p);

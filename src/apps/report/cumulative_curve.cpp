@@ -2,6 +2,8 @@
 #include <apps/report/cumulative_curve.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -63,6 +65,19 @@ Series cumulative_curve(std::string name, const Binned& samples, std::span<const
         add(upper, to);
     }
     return s;
+}
+
+void give_room(Plot& plot) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const Series& curve : plot.series)
+        for (const double value : curve.x) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    if (!(least <= most) || most > 10 * least) return;
+    const double factor = std::sqrt(10);
+    plot.x.lower = least / factor;
+    plot.x.upper = most * factor;
 }
 
 }  // namespace annulus::inline v1

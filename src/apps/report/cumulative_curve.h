@@ -27,4 +27,8 @@ struct Binned {
 [[nodiscard]] Series cumulative_curve(std::string name, const Binned& samples, std::span<const double> quantiles,
                                       double least_share);
 
+/// Makes the range of a logarithmic x axis a decade or more, so that samples in one bin are a step and no slope, and
+/// the axis has two ticks or more. Nothing where there are no points.
+void give_room(Plot& plot);
+
 }  // namespace annulus::inline v1

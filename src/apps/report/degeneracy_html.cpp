@@ -3,12 +3,11 @@
 #include <apps/report/axis_ticks.h>
 #include <apps/report/cumulative_curve.h>
 #include <apps/report/degeneracy_report.h>
+#include <apps/report/degeneracy_terms.h>
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -31,20 +30,6 @@ Series cumulative(std::string name, const Distribution& d) {
                             100 / static_cast<double>(h.total()));
 }
 
-/// A decade or more, so that samples in one bin are a step and no slope.
-void give_room(Axis& x, const std::vector<Series>& curves) {
-    double least = std::numeric_limits<double>::infinity(), most = 0;
-    for (const Series& curve : curves)
-        for (const double value : curve.x) {
-            least = std::min(least, value);
-            most = std::max(most, value);
-        }
-    if (!(least <= most) || most > 10 * least) return;
-    const double factor = std::sqrt(10);
-    x.lower = least / factor;
-    x.upper = most * factor;
-}
-
 Plot cumulative_plot(std::string title, std::string x,
                      const std::vector<std::pair<std::string, const Distribution*>>& of) {
     Plot plot;
@@ -54,7 +39,7 @@ Plot cumulative_plot(std::string title, std::string x,
     // What is all exactly 0 has no place on a logarithmic scale.
     for (const auto& [name, d] : of)
         if (d->histogram.total() > d->histogram.underflow()) plot.series.push_back(cumulative(name, *d));
-    give_room(plot.x, plot.series);
+    give_room(plot);
     return plot;
 }
 
@@ -153,7 +138,9 @@ void append_stages(std::string& out, const Degeneracy& d) {
     add("convexity of bi-cells", d.convexity);
     out += "<h2>What arithmetic decides</h2>\n";
     append_table(out, {"", "decisions", "filter", "intervals", "exact"}, rows);
-    out += "<figcaption>Sign and tolerance of each certificate as a run would ask for them.</figcaption>\n";
+    out +=
+        "<figcaption>What decided the sign and the tolerance of each certificate, as in a run: doubles with a proved "
+        "error bound (filter), intervals, or integers (exact).</figcaption>\n";
 }
 
 void append_convexity(std::string& out, const Degeneracy& d) {
@@ -172,14 +159,12 @@ void append_paper(std::string& out, const Degeneracy& d) {
     const Vertex_counts& v = d.vertices;
     out += "<h2>The paper's tolerance</h2>\n<div class=\"numbers\"><table>\n";
     append_row(out, "vertices at which it is unsound", with_share(v.paper_unsound, v.total));
-    append_row(out, "above the distance to degeneracy", with_share(v.paper_above_exact, v.total));
-    append_row(out, "certificates that fail within it", grouped(v.unsound_certificates));
+    append_row(out, "vertices at which it is above the distance to degeneracy",
+               with_share(v.paper_above_exact, v.total));
+    append_row(out, "certificates that can fail within it", grouped(v.unsound_certificates));
     append_convexity(out, d);
-    out +=
-        "</table></div>\n<figcaption>Unsound: the vertex is in a certificate all points of which can go to where it "
-        "fails and "
-        "stay within the paper's tolerances.";
-    if (d.dimension == 2) out += " In the plane the paper's tolerance is right, so this is 0.";
+    out += "</table></div>\n<figcaption>What unsound means is under Terms, at the end.";
+    if (d.dimension == 2) out += " In 2D the paper's tolerance is right, so this is 0.";
     out += "</figcaption>\n";
 }
 
@@ -206,14 +191,29 @@ void append_numbers(std::string& out, const Degeneracy_record& r) {
     out += "</table></div>\n";
 }
 
+/// Whether all have one width, to three digits, that is not 0: a histogram is a bar then.
+bool one_width(const Width_counts& c) {
+    const auto& q = c.width.quantiles;
+    return !q.empty() && c.zero == 0 && readable(q.front()) == readable(q.back());
+}
+
+/// What the histogram of bi-cells has no place for, or why there is none; text.
+std::string on_histogram(const Width_counts& c) {
+    if (one_width(c))
+        return (c.total == 1 ? std::string(" The bi-cell has") : " All " + grouped(c.total) + " bi-cells have") +
+               " the width " + readable(c.width.quantiles.front()) + ", which needs no histogram.";
+    if (c.zero == 0 || c.zero == c.total) return {};
+    return " The histogram of widths leaves out " + grouped(c.zero) + " of the " + grouped(c.total) +
+           " bi-cells: their width is exactly 0. Shares are of all.";
+}
+
 /// How many bi-cells are degenerate, how large most tolerances are, and where that of the paper is unsound.
 std::vector<std::string> findings(const Degeneracy& d) {
     const Width_counts& c = d.bicells.least;
     if (c.total == 0) return {};
-    const std::string of = grouped(c.total) + " bi-cells";
-    std::string first = c.zero == 0 ? "None of the " + of + " is exactly degenerate"
-                                    : grouped(c.zero) + " of the " + of +
-                                          (c.zero == 1 ? " is exactly degenerate" : " are exactly degenerate");
+    std::string first = (c.zero == 0 ? "None" : grouped(c.zero)) + " of the " + grouped(c.total) + " bi-cells" +
+                        (c.zero <= 1 ? " is exactly degenerate" : " are exactly degenerate");
+    if (c.total == 1) first = std::string("The only bi-cell is ") + (c.zero == 1 ? "" : "not ") + "exactly degenerate";
     const auto& widths = d.bicells.least.width.quantiles;
     if (c.zero == 0 && !widths.empty())
         first += ": the narrowest annulus is " + readable(widths.front()) + " mean spacings wide";
@@ -222,9 +222,10 @@ std::vector<std::string> findings(const Degeneracy& d) {
         std::find(Distribution::probabilities.begin(), Distribution::probabilities.end(), 0.5) -
         Distribution::probabilities.begin());
     if (half < tolerances.size())
-        first += tolerances[half] == 0 ? ". Half of the vertices or more have a certified tolerance of 0"
-                                       : ". Half of the vertices have a certified tolerance of " +
-                                             readable(tolerances[half]) + " mean spacings or more";
+        first += d.vertices.zero == d.vertices.total ? ". All vertices have a certified tolerance of 0"
+                 : tolerances[half] == 0             ? ". Half of the vertices or more have a certified tolerance of 0"
+                                                     : ". Half of the vertices have a certified tolerance of " +
+                                               readable(tolerances[half]) + " mean spacings or more";
     if (d.periodic) return {first + "."};
     const std::uint64_t unsound = d.vertices.paper_unsound;
     return {first + (unsound == 0 ? ". The paper's tolerance is sound at all vertices."
@@ -257,21 +258,20 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     widths.emplace_back(w.ridge, &d.ridges.least.width);
     const std::vector<std::pair<std::string, const Distribution*>> tolerances{{"certified", &d.vertices.certified},
                                                                               {"paper", &d.vertices.paper}};
-    std::vector<Plot> plots{
-        cumulative_plot("Widths", "width (mean spacings)", widths),
-        cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances),
-        histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}),
-        histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}})};
+    std::vector<Plot> plots{cumulative_plot("Widths", "width (mean spacings)", widths),
+                            cumulative_plot("Tolerances of vertices", "tolerance (mean spacings)", tolerances)};
+    if (!one_width(d.bicells.least))
+        plots.push_back(histogram_plot("Widths of bi-cells", "width (mean spacings)", Scale::log10, {widths.front()}));
+    plots.push_back(histogram_plot("Theta", "theta (radians)", Scale::linear, {{"bi-cells", &d.theta}}));
     std::erase_if(plots, [](const Plot& plot) { return plot.series.empty(); });
     append_plots(out, "Distributions", plots,
-                 std::string("Mean spacing: the square root of the area (cube root of the volume) of the ") +
-                     (d.periodic ? "box" : "hull") +
-                     " that one vertex has on average. A cumulative curve begins where the samples on its scale begin, "
-                     "at the share of what is narrower or "
-                     "exactly 0; there is none where all are exactly 0.");
+                 "A cumulative curve begins where the samples on its scale begin, at the share of what is narrower or "
+                 "exactly 0; there is none where all are exactly 0." +
+                     on_histogram(d.bicells.least));
     append_quantiles(out, d);
     append_stages(out, d);
     append_numbers(out, r);
+    append_terms(out, {d.dimension == 2, d.dimension == 3, d.periodic});
     return out + page_foot();
 }
 

@@ -3,6 +3,7 @@
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/report/degeneracy_series.h>
+#include <apps/report/degeneracy_terms.h>
 #include <apps/report/page.h>
 #include <apps/report/summary.h>
 
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::array<std::size_t, 3> shown{0, 2, 5};  // of Distribution::probabilities
 static_assert(Distribution::probabilities[2] == 0.01 && Distribution::probabilities[5] == 0.5);
-constexpr std::array<const char*, 3> shown_names{"min", "1%", "median"};
+constexpr std::array<const char*, 3> shown_names{"min", "1%", "median"};  // in tables
+constexpr std::array<const char*, 3> curve_names{"least", "1 %", "median"};
 
 std::array<double, 3> quantiles_of(const Distribution& d) {
     std::array<double, 3> out{};
@@ -78,6 +80,47 @@ std::vector<std::string> findings(const Degeneracy_series& series) {
                                     grouped((*unsound)->frame) + ".")};
 }
 
+/// Whether a curve has no other value.
+bool only_zero(const Series& s) {
+    return std::all_of(s.y.begin(), s.y.end(), [](double y) { return y == 0; });
+}
+
+Axis frame_axis() { return {"frame", Scale::linear, {}, {}, true}; }
+
+/// Counts over the frames. What is 0 in all frames is a sentence.
+void append_frame_counts(std::string& out, const Degeneracy_series& series) {
+    using Numbers = Degeneracy_row::Numbers;
+    std::vector<Plot> plots;
+    std::string none;
+    const auto add = [&](Plot&& plot, const std::string& sentence) {
+        std::erase_if(plot.series, only_zero);
+        if (plot.series.empty()) none += sentence;
+        else plots.push_back(std::move(plot));
+    };
+    const auto plot_of = [](std::string title, std::string counted) {
+        return Plot{std::move(title), frame_axis(), {std::move(counted), Scale::linear, 0., {}, false}, {}};
+    };
+    Plot narrow = plot_of("Bi-cells narrower than a threshold", "bi-cells");
+    for (std::size_t k = 0; k < series.thresholds.size(); ++k)
+        narrow.series.push_back(over_frames(series.thresholds[k] == "ulp" ? "1 ulp" : series.thresholds[k], series,
+                                            [k](const Numbers& n) { return n.below[k]; }));
+    add(std::move(narrow), " No bi-cell of any frame is narrower than any of the thresholds.");
+    Plot degenerate = plot_of("Bi-cells that are exactly degenerate", "bi-cells");
+    degenerate.series = {over_frames("", series, [](const Numbers& n) { return n.zero; })};
+    add(std::move(degenerate), " No bi-cell of any frame is exactly degenerate.");
+    if (series.input.box.empty()) {  // else it is not computed
+        Plot unsound = plot_of("Vertices at which the paper's tolerance is unsound", "vertices");
+        unsound.series = {over_frames("", series, [](const Numbers& n) { return n.paper_unsound; })};
+        add(std::move(unsound), " The paper's tolerance is sound at all vertices of all frames.");
+    }
+    const std::string caption =
+        "Every count is certified. Thresholds are in mean spacings of the frame; one that no "
+        "bi-cell is below has no curve." +
+        none + " degeneracy.csv has the numbers.";
+    if (plots.empty()) out += "<h2>Counts</h2>\n<p>" + escaped(caption) + "</p>\n";
+    append_plots(out, "Counts", plots, caption);
+}
+
 }  // namespace
 
 Degeneracy_row degeneracy_row(std::uint64_t frame, const Degeneracy_record& record) {
@@ -135,27 +178,20 @@ nlohmann::ordered_json degeneracy_json(const Degeneracy_series& series) {
 
 std::string degeneracy_html(const Degeneracy_series& series) {
     using Numbers = Degeneracy_row::Numbers;
-    const Axis frames{"frame", Scale::linear, {}, {}, true};
     const auto lengths = [&](std::string title, std::array<double, 3> Numbers::*of) {
-        Plot plot{std::move(title), frames, {"mean spacings", Scale::log10, {}, {}, false}, {}};
+        Plot plot{std::move(title), frame_axis(), {"mean spacings", Scale::log10, {}, {}, false}, {}};
         for (std::size_t k = 0; k < shown.size(); ++k)
-            plot.series.push_back(over_frames(shown_names[k], series, [=](const Numbers& n) { return (n.*of)[k]; }));
+            plot.series.push_back(over_frames(curve_names[k], series, [=](const Numbers& n) { return (n.*of)[k]; }));
         return plot;
     };
-    Plot counts{"Bi-cells with a width below", frames, {"bi-cells", Scale::log10, {}, {}, false}, {}};
-    for (std::size_t k = 0; k < series.thresholds.size(); ++k)
-        counts.series.push_back(
-            over_frames(series.thresholds[k], series, [k](const Numbers& n) { return n.below[k]; }));
-    Plot zero{"Bi-cells that are exactly degenerate", frames, {"bi-cells", Scale::linear, 0., {}, false}, {}};
-    zero.series.push_back(over_frames("", series, [](const Numbers& n) { return n.zero; }));
-    Plot unsound{
-        "Vertices at which the paper's tolerance is unsound", frames, {"vertices", Scale::linear, 0., {}, false}, {}};
-    unsound.series.push_back(over_frames("", series, [](const Numbers& n) { return n.paper_unsound; }));
     std::string out = page_head(series.file + ": " + grouped(series.rows.size()) +
                                     (series.rows.size() == 1 ? " frame" : " frames") + ", how degenerate",
                                 series.command);
     append_warnings(out, series.input.warnings);
     append_findings(out, findings(series));
+    const bool flat = std::none_of(series.rows.begin(), series.rows.end(),
+                                   [](const Degeneracy_row& row) { return row.numbers.has_value(); });
+    if (flat) out += "<p class=\"verdict\">The points of no frame span the space: there is nothing to measure.</p>\n";
     if (!series.input.columns.empty()) out += "<p>" + escaped(listed(series.input.columns)) + ".</p>\n";
     const bool periodic = !series.input.box.empty();
     if (periodic) {
@@ -166,14 +202,13 @@ std::string degeneracy_html(const Degeneracy_series& series) {
     std::vector<Plot> widths{lengths("Widths of bi-cells", &Numbers::width),
                              lengths("Certified tolerances of vertices", &Numbers::tolerance)};
     if (!periodic) widths.push_back(lengths("The paper's tolerances", &Numbers::paper));
-    std::vector<Plot> shares{counts, zero};
-    if (!periodic) shares.push_back(unsound);
+    std::erase_if(widths,
+                  [](const Plot& plot) { return std::all_of(plot.series.begin(), plot.series.end(), only_zero); });
     append_plots(out, "Widths and tolerances", widths,
                  "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is "
-                 "not drawn.");
-    append_plots(out, "Counts", shares,
-                 "Every count is certified; where one is 0 the first of these has no line. degeneracy.csv has the "
-                 "numbers.");
+                 "not drawn, and what is 0 in all frames has no plot.");
+    if (!flat) append_frame_counts(out, series);
+    append_terms(out, {series.dimension == 2, series.dimension == 3, periodic});
     return out + page_foot();
 }
 
