@@ -79,6 +79,11 @@ stroke-dasharray:none!important}
 .plot .name.c3{fill:var(--c3)}.plot .name.c4{fill:var(--c4)}.plot .name.c5{fill:var(--c5)}.plot .name.c6{fill:var(--c6)}
 @media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px})css"
                                             R"css(.plot .tl,.plot .al{font-size:15px}}
+@media(max-width:600px){.claims,.claims tbody{display:block;min-width:0}.claims thead{display:none}
+.claims tr{display:flex;flex-direction:column;border-bottom:1px solid var(--rule);padding:9px 0}
+.claims :nth-child(n){width:auto}.claims th,.claims td{border:0;padding:2px 0}.claims td:last-child{order:-1}
+.claims td:nth-child(2)::before{content:"The paper: "}.claims td:nth-child(3)::before{content:"Under its algorithm: "}
+.claims td:nth-child(4)::before{content:"Under ours: "}.claims td::before{color:var(--soft)}}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 
