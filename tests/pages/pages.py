@@ -22,6 +22,8 @@ KINDS = [
          shows=["Voronoi cells by number of neighbours", "How regular it became", "The triangulation", "Convergence"],
          says=["six neighbours at the end", "least angle of a triangle rose", "the energy is",
                "In 30 iterations points moved"]),
+    Kind("lloyd-start", "lloyd --points 300 --iterations 0", shows=["The triangulation"],
+         says=["There was no iteration.", "inner vertices have six neighbours ("]),
     Kind("lloyd-window", "lloyd --points 20000 --iterations 1", shows=["The triangulation"],
          says=["six neighbours at the end"]),
     Kind("lloyd-box", "lloyd --points 300 --box 2,0,0.5,1 --iterations 10 --voronoi",

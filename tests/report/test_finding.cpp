@@ -36,6 +36,10 @@ TEST_CASE("A finding says how far points moved, and what that took", "[report]")
         "by 2 at most. 3 flips kept the triangulation Delaunay. The triangulation was rebuilt in 1 iteration.\n"));
     run.steps.clear();
     CHECK(findings(run).empty());
+    run.plane_before = Plane_step{60, {5, 15, 20, 15, 5}, 1, 30, 2.0};
+    CHECK(joined(findings(run)) ==
+          "There was no iteration. 20 of the 60 inner vertices have six neighbours (33.3 %). The least angle of a "
+          "triangle is 30 degrees on average.\n");
 }
 
 TEST_CASE("Moves are within tolerance or beyond it only where that was tested", "[report]") {
@@ -120,7 +124,7 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     time(1, 0.125, 0.1, 7);  // a pause
     comparison.runs[0].strategy = "rebuild";
     CHECK(joined(findings(comparison)) ==
-          "auto was the fastest of 2 strategies: 125 ms for keeping the triangulation in an iteration by the wall "
+          "The fastest of 2 strategies was auto: 125 ms for keeping the triangulation in an iteration by the wall "
           "clock, the "
           "median of 3 iterations. The slowest, rebuild, took 4 times as long.\n");
     Report report;

@@ -12,6 +12,7 @@
 
 #include <support/catch.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace annulus;
@@ -122,7 +123,7 @@ TEST_CASE("Shades say what they mean", "[report]") {
         CHECK(contains(legend, name));
     }
     CHECK(contains(legend_of(Shading::neighbours), "at the border"));
-    CHECK(!contains(legend_of(Shading::neighbours, false), "at the border"));
+    CHECK(!contains(legend_of(Shading::neighbours, ""), "at the border"));
 }
 
 TEST_CASE("A filled cut covers the section, with the shade of each cell", "[report]") {
@@ -194,4 +195,28 @@ TEST_CASE("Curves that span much have a logarithmic scale, and others begin at 0
     CHECK(!frame_figures({}, run, true)[0].panels[0].y.lower);
     run.steps[0].displacement_mean = 0;  // there is no place for it on such a scale
     CHECK(frame_figures({}, run, true)[0].panels[0].y.scale == Scale::linear);
+}
+
+TEST_CASE("Pairs of neighbours have two curves where they differ", "[report]") {
+    std::vector<Frame_record> frames(2);
+    frames[0].pairs = frames[1].pairs = Frame_record::Neighbour_pairs{3, 3};
+    const auto changes = [&] { return frame_figures(frames, {}, false)[0].panels.back(); };
+    CHECK(changes().series.size() == 1);
+    CHECK(changes().y.label == "pairs made, and as many broken");
+    CHECK(contains(frame_figures(frames, {}, false)[0].caption, "flips may be more"));
+    frames[1].pairs->broken = 2;
+    REQUIRE(changes().series.size() == 2);
+    CHECK(changes().series[1].name == "broken");
+}
+
+TEST_CASE("A share of cells is in percent, as in the finding", "[report]") {
+    std::vector<Frame_record> frames(1);
+    frames[0].voronoi = Frame_record::Voronoi{};
+    frames[0].voronoi->hexagons = 0.25;
+    const std::vector<Plot> panels = frame_figures(frames, {}, false).back().panels;
+    const auto plot = std::find_if(panels.begin(), panels.end(), [](const Plot& p) {
+        return p.title == "Cells with six neighbours, of all bounded cells";
+    });
+    REQUIRE(plot != panels.end());
+    CHECK(plot->series[0].y == std::vector<double>{25});
 }

@@ -126,7 +126,8 @@ class NodtFiles(NodtTest):
         self.assertEqual(len(self.part()[2]), len(surface))
         self.check_mesh(4 * math.pi / 3, 0.08)
         page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
-        for part in ("The last step is --finish", " vertices, 8 natural ODT iterations and a finish: auto</h1>",
+        for part in ("The last step is --finish",
+                     " vertices, 8 natural ODT iterations and a finish: strategy auto</h1>",
                      "After 8 iterations and a finish", "iterations</th><td>8 and a finish</td>"):
             self.assertIn(part, page)
         self.assertNotIn("After 9 iterations", page)

@@ -109,7 +109,8 @@ class Outputs(ToolTest):
         self.write("one.csv", "frame,id,x,y\n0,1,0.5,0.5\n1,1,0.25,0.5\n")
         said = self.succeed("replay", "one.csv", "--output", "one").stdout
         self.assertIn("1 vertex, 1 iteration, strategy auto", said)
-        self.assertIn("1 vertex, 2 frames: auto", (self.here / "one" / "report.html").read_text(encoding="utf-8"))
+        self.assertIn("1 vertex, 2 frames: strategy auto",
+                      (self.here / "one" / "report.html").read_text(encoding="utf-8"))
         self.write("two.csv", "frame,id,x,y\n0,1,0.5,0.5\n0,2,0.25,0.5\n")
         self.assertIn("2 vertices, 0 iterations, strategy auto", self.succeed("replay", "two.csv").stdout)
         said = self.succeed("lloyd", "--points", "3", "--iterations", "1").stdout
@@ -134,7 +135,7 @@ class Outputs(ToolTest):
         self.assertEqual(root.get("type"), "UnstructuredGrid")
         report = (self.here / "out" / "report.html").read_text(encoding="utf-8")
         self.assertTrue(report.rstrip().endswith("</html>"))
-        self.assertIn("<h1>60 vertices, 3 Lloyd iterations: auto</h1>", report)
+        self.assertIn("<h1>60 vertices, 3 Lloyd iterations: strategy auto</h1>", report)
         self.assertEqual(report.count("annulus lloyd --points 60"), 1)
         self.assertNotRegex(report, r"(?i)src=[\"']https?:|<link[^>]+https?:", "the report fetches something")
 
@@ -186,7 +187,7 @@ class Outputs(ToolTest):
         self.write("motion.csv", "frame,id,x,y\n0,1,0,0\n0,2,1,0\n0,3,0,1\n1,1,0,0\n1,2,1,0\n1,3,0,1\n1,4,1,1\n")
         self.succeed("replay", "motion.csv", "--output", "out", "--quiet")
         self.assertEqual(self.summary("out")["vertices"], 4)
-        self.assertIn("<h1>4 vertices, 2 frames: auto</h1>",
+        self.assertIn("<h1>4 vertices, 2 frames: strategy auto</h1>",
                       (self.here / "out" / "report.html").read_text(encoding="utf-8"))
 
     def test_a_tolerance_without_end(self):

@@ -62,7 +62,8 @@ void write_comparison(const Common_arguments& arguments, const Guided_motion<Mov
     const auto& shown = trackers.back();
     std::string names;
     for (const Run_record& run : comparison.runs) names += (names.empty() ? "" : ", ") + run.strategy;
-    report.title = title_of(shown.record(), motion.step_name(), names);
+    report.title = title_of(shown.record(), motion.step_name(),
+                            (comparison.runs.size() == 1 ? "strategy " : "strategies ") + names);
     report.run = shown.record();
     report.before = std::move(before);
     if (const std::uint64_t n = shown.record().iterations; n > 0)

@@ -98,7 +98,7 @@ void write_run(const Common_arguments& arguments, const Run_tracker<Moving>& tra
     std::move(page.cell_fields.begin(), page.cell_fields.end(), std::back_inserter(cell_fields));
 
     Report report;
-    report.title = title_of(run, page.step, run.strategy);
+    report.title = title_of(run, page.step, "strategy " + run.strategy);
     report.run = run;
     report.before = std::move(page.before);
     report.after = std::move(page.after);

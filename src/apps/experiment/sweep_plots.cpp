@@ -38,7 +38,8 @@ bool all_are_one(const std::vector<Sweep_row>& rows, const std::string& name) {
         std::find_if(edges.begin(), edges.end(), [](double x) { return x > 1 - 1e-9; }) - edges.begin());
     return std::all_of(rows.begin(), rows.end(), [&](const Sweep_row& row) {
         const auto found = row.point->tally.histograms.find(name);
-        return found == row.point->tally.histograms.end() || found->second.in[one - 1] + found->second.in[one] == samples(found->second);
+        return found == row.point->tally.histograms.end() ||
+               found->second.in[one - 1] + found->second.in[one] == samples(found->second);
     });
 }
 
@@ -87,13 +88,16 @@ std::vector<std::string> parts_of(const Grid_point& point) {
     return parts;
 }
 
+bool has(const Sweep_row& row, const std::string& part) {
+    const std::vector<std::string> parts = parts_of(*row.point);
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+}
+
 /// Whether no other row has all of these parts.
 bool is_name_of(const Sweep_row& row, const std::vector<Sweep_row>& rows, std::span<const std::string> parts) {
     return std::none_of(rows.begin(), rows.end(), [&](const Sweep_row& other) {
-        const auto all = parts_of(*other.point);
-        return other.number != row.number && std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
-                   return std::find(all.begin(), all.end(), part) != all.end();
-               });
+        return other.number != row.number &&
+               std::all_of(parts.begin(), parts.end(), [&](const std::string& part) { return has(other, part); });
     });
 }
 
@@ -112,10 +116,7 @@ std::vector<std::string> curve_names(const std::vector<Sweep_row>& rows) {
     for (const Sweep_row& row : rows) {
         std::vector<std::string> parts = parts_of(*row.point);
         std::erase_if(parts, [&](const std::string& part) {
-            return std::all_of(rows.begin(), rows.end(), [&](const Sweep_row& other) {
-                const auto all = parts_of(*other.point);
-                return std::find(all.begin(), all.end(), part) != all.end();
-            });
+            return std::all_of(rows.begin(), rows.end(), [&](const Sweep_row& any) { return has(any, part); });
         });
         std::span<const std::string> name = parts;
         while (!name.empty() && joined(name).size() > most) name = name.subspan(1);
@@ -205,8 +206,9 @@ void append_stages(std::string& out, const Tally& tally, const std::string& head
     else filter_alone += "The filter decided all " + grouped(count(tally, "cells.total")) + " cells. ";
     if (plots.empty()) out += "<h2>" + escaped(heading) + "</h2>\n<p>" + escaped(filter_alone) + "</p>\n";
     append_plots(out, heading, plots,
-                 filter_alone + "Of the certificates in a bin, how many each stage decided; there is a gap where a bin "
-                                "is empty. What is exactly degenerate has no place on a scale of widths.");
+                 filter_alone +
+                     "Of the certificates in a bin, how many each stage decided; there is a gap where a bin "
+                     "is empty. What is exactly degenerate has no place on a scale of widths.");
 }
 
 }  // namespace annulus::inline v1

@@ -11,25 +11,24 @@ void append_terms(std::string& out, const Degeneracy_terms& of) {
         if (!of.plane) return std::string(space);
         return std::string(plane) + " (2D) or " + std::string(space) + " (3D)";
     };
-    out += "<h2>Terms</h2>\n<p>Bi-cell: two " +
-           word("triangles that share an edge", "tetrahedra that share a triangle") +
-           ". Certificate: the sign of a determinant; all of them together prove the triangulation Delaunay. That of a "
-           "bi-cell says that the " +
-           word("circle", "sphere") +
-           " through one cell leaves the opposite vertex of the other outside, that of a cell that it is not turned "
-           "over" +
-           (of.periodic ? std::string()
-                        : ", that of a hull " + word("vertex", "edge") + " that the hull is convex there") +
-           ". Degenerate: the determinant is 0. Annulus: the region between two concentric " +
-           word("circles", "spheres") + " with the points of a bi-cell on them. Slab: that between two parallel " +
-           word("lines", "planes") +
-           " with the points of a cell on them. Half of its width is the tolerance of the certificate: as long as none "
-           "of its points moves further, its sign stays. That of a vertex is the least of its certificates. Theta: the "
-           "angle between the axis of the " +
-           word("edge", "triangle") +
-           " that a bi-cell shares and the bisector of its two other vertices. Mean spacing: the " +
-           word("square root of the area", "cube root of the volume") + " of the " + (of.periodic ? "box" : "hull") +
-           " that one vertex has on average.";
+    out +=
+        "<h2>Terms</h2>\n<p>Bi-cell: two " + word("triangles that share an edge", "tetrahedra that share a triangle") +
+        ". Certificate: the sign of a determinant; all of them together prove the triangulation Delaunay. That of a "
+        "bi-cell says that the " +
+        word("circle", "sphere") +
+        " through one cell leaves the opposite vertex of the other outside, that of a cell that it is not turned "
+        "over" +
+        (of.periodic ? std::string()
+                     : ", that of a hull " + word("vertex", "edge") + " that the hull is convex there") +
+        ". Degenerate: the determinant is 0. Annulus: the region between two concentric " + word("circles", "spheres") +
+        " with the points of a bi-cell on them. Slab: that between two parallel " + word("lines", "planes") +
+        " with the points of a cell on them. Half of its width is the tolerance of the certificate: as long as none "
+        "of its points moves further, its sign stays. That of a vertex is the least of its certificates. Theta: the "
+        "angle between the axis of the " +
+        word("edge", "triangle") +
+        " that a bi-cell shares and the bisector of its two other vertices. Mean spacing: the " +
+        word("square root of the area", "cube root of the volume") + " of the " + (of.periodic ? "box" : "hull") +
+        " that one vertex has on average.";
     if (!of.periodic)
         out +=
             " Unsound: a vertex is in a certificate all points of which can go to where it fails and stay within the "

@@ -128,6 +128,30 @@ std::string on_steps(const Run_record& run) {
     return text;
 }
 
+/// What is known of a run without steps: the start. Nothing where nothing was measured.
+std::vector<std::string> at_start(const Run_record& run) {
+    std::string text;
+    if (run.mesh_before)
+        text += " The least dihedral angle of the mesh is " + readable(run.mesh_before->dihedral_min) + " degrees; " +
+                grouped(run.mesh_before->slivers) + " of its " +
+                count_of(run.mesh_before->cells, "tetrahedron", "tetrahedra") +
+                (run.mesh_before->slivers == 1 ? " is a sliver." : " are slivers.");
+    if (const auto& plane = run.plane_before) {
+        const std::uint64_t six = plane->neighbours[2];
+        if (plane->inner > 0)
+            text += " " + grouped(six) + " of the " + grouped(plane->inner) +
+                    (run.input.box.empty() ? " inner vertices " : " vertices ") + (six == 1 ? "has" : "have") +
+                    " six neighbours (" + percent(six, plane->inner) + ").";
+        if (plane->angle_mean > 0)
+            text += " The least angle of a triangle is " + readable(plane->angle_mean) + " degrees on average.";
+    }
+    if (run.volume_scatter_before)
+        text += " The volumes of the Voronoi cells differ from their mean by " +
+                readable(100 * *run.volume_scatter_before) + " % of it (standard deviation).";
+    if (text.empty()) return {};
+    return {(run.replayed ? "There is one frame." : "There was no iteration.") + text};
+}
+
 }  // namespace
 
 double median_step(const Run_record& run) {
@@ -140,7 +164,7 @@ double median_step(const Run_record& run) {
 }
 
 std::vector<std::string> findings(const Run_record& run) {
-    if (run.steps.empty()) return {};
+    if (run.steps.empty()) return at_start(run);
     std::vector<std::string> all;
     const Iteration_record& last = run.steps.back();
     if (run.mesh_before && last.mesh) all.push_back(on_mesh(*run.mesh_before, *last.mesh));
@@ -166,9 +190,9 @@ std::vector<std::string> findings(const Comparison_record& comparison) {
     if (readable(most / least) == "1")
         return {"The " + std::to_string(runs.size()) + " strategies took about as long: " + duration(least) + steps +
                 "."};
-    return {fastest->strategy + " was the fastest of " + std::to_string(runs.size()) +
-            " strategies: " + duration(least) + steps + ". The slowest, " + slowest->strategy + ", took " +
-            readable(most / least) + " times as long."};
+    return {"The fastest of " + std::to_string(runs.size()) + " strategies was " + fastest->strategy + ": " +
+            duration(least) + steps + ". The slowest, " + slowest->strategy + ", took " + readable(most / least) +
+            " times as long."};
 }
 
 }  // namespace annulus::inline v1

@@ -9,7 +9,7 @@
 namespace annulus::inline v1 {
 
 /// What a run found, in one or two paragraphs of text for the head of its page: how the mesh or the Voronoi cells have
-/// changed, how far points moved, and what the triangulation took. Nothing where there was no step.
+/// changed, how far points moved, and what the triangulation took. Without a step, what is known of the start.
 [[nodiscard]] std::vector<std::string> findings(const Run_record& run);
 
 /// Which strategy was the fastest, and by how much. Nothing of fewer than two runs, or where no time was measured.

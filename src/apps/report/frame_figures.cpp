@@ -91,17 +91,27 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
         });
     };
     using Pairs = Frame_record::Neighbour_pairs;
-    motion.panels.push_back(plot("Neighbours that change", word, "pairs since the " + word + " before",
-                                 {pairs("made", &Pairs::made), pairs("broken", &Pairs::broken)}));
+    std::vector<Series> changes{pairs("made", &Pairs::made), pairs("broken", &Pairs::broken)};
+    const bool alike = changes[0].y == changes[1].y;  // a flip in 2D makes one and breaks one
+    if (alike) changes = {pairs("", &Pairs::made)};
+    if (!changes[0].x.empty())
+        motion.caption = "Pairs of neighbours at the end of a " + word +
+                         " that were none at the end of the one before, or the reverse: what is made and broken again "
+                         "in between is not counted, so that flips may be more.";
+    motion.panels.push_back(plot("Neighbours that change", word,
+                                 alike ? "pairs made, and as many broken" : "pairs since the " + word + " before",
+                                 std::move(changes)));
     const char* const volume = run.dimension == 2 ? "area" : "volume";
     const std::string counted = run.clip ? "cells that are not cut" : "bounded cells";
     cells.panels.push_back(
         plot(std::string("The ") + volume + (run.clip ? " of cells in the clip" : " of bounded cells"), word, volume,
              {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
               voronoi("95 %", &Voronoi::volume_high)}));
+    Series hexagons = voronoi("", &Voronoi::hexagons);
+    for (double& share : hexagons.y) share *= 100;
     if (run.dimension == 2)
         cells.panels.push_back(
-            plot("Cells with six neighbours", word, "share of the " + counted, {voronoi("", &Voronoi::hexagons)}));
+            plot("Cells with six neighbours, of all " + counted, word, "share of the " + counted + " (%)", {hexagons}));
     else
         cells.panels.push_back(
             plot("Neighbours of a cell", word, "mean over the " + counted, {voronoi("", &Voronoi::neighbours_mean)}));

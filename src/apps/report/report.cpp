@@ -125,7 +125,10 @@ void append_pictures(std::string& out, const Report& report) {
 void append_cells(std::string& out, const Report& report) {
     if (report.voronoi.empty()) return;
     out += "<h2>Voronoi cells by number of neighbours</h2>\n" +
-           legend_of(Shading::neighbours, report.run.input.box.empty()) + "<div class=\"panels\">\n";
+           legend_of(Shading::neighbours, !report.run.input.box.empty() ? ""
+                                          : report.run.clip             ? "cut by the clip"
+                                                                        : "at the border") +
+           "<div class=\"panels\">\n";
     std::vector<const Picture*> pictures;
     for (const Picture& picture : report.voronoi) pictures.push_back(&picture);
     const Window window = common_window(pictures, most_faces, faces_in_window);
@@ -236,7 +239,10 @@ std::string report_html(const Report& report) {
     else out += "<h2>The triangulation</h2>\n" + report.film.html();
     append_plots(
         out, "The mesh", mesh_plots(run),
-        "All six dihedral angles of every cell of the domain. A sliver has one below 10 or above 170 degrees.");
+        "All six dihedral angles, those between two faces, of every cell of the domain. A sliver has one below 10 or "
+        "above 170 degrees. Pictures show cells at the cut alone. In an iteration of natural ODT (optimal Delaunay "
+        "triangulation) a vertex goes to a weighted mean of the circumcentres of its cells, one on the surface along "
+        "it.");
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     // Of several strategies the page shows the iterations of the last one.
     const std::string of = report.comparison && report.comparison->runs.size() > 1 ? ": " + run.strategy : "";

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace annulus::inline v1 {
 
@@ -23,7 +24,8 @@ inline constexpr unsigned char border_shade = 5;
     return degrees >= 50 ? 5 : degrees >= 10 ? static_cast<unsigned char>(degrees / 10) : 0;
 }
 
-/// The colours and their meaning as a paragraph of a page; in a periodic box no cell is at the `border`.
-[[nodiscard]] std::string legend_of(Shading shading, bool border = true);
+/// The colours and their meaning as a paragraph of a page. `border`: what cells with the last shade are; empty where
+/// there are none, as in a periodic box.
+[[nodiscard]] std::string legend_of(Shading shading, std::string_view border = "at the border");
 
 }  // namespace annulus::inline v1
