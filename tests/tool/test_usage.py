@@ -138,6 +138,38 @@ class Usage(ToolTest):
             with self.subTest(words=words):
                 self.refuse(2, *words)
 
+    def test_empty_values_are_wrong_usage(self):
+        self.xyz("three.xyz", TRIANGLE)
+        self.write("spec.toml", "[[grid]]\npoints = 20\n")
+        lloyd = ("lloyd", "--points", 10, "--iterations", 1)
+        for words in ((*lloyd, "--box"), (*lloyd, "--domain"), (*lloyd, "--size"), (*lloyd, "--density"),
+                      ("lloyd", "--input"), ("generate", "uniform", "-n", 5, "--box"), ("generate",),
+                      ("generate", "uniform", "-n", 5, "--output"), ("replay", "three.xyz", "--box"),
+                      ("replay", "three.xyz", "--columns"), ("replay", "three.xyz", "--clip"), ("replay",),
+                      ("replay", "three.xyz", "--coincident"), ("degeneracy", "three.xyz", "--box"),
+                      ("degeneracy", "three.xyz", "--columns"), ("degeneracy", "three.xyz", "--raw"),
+                      ("degeneracy", "three.xyz", "--thresholds"), ("degeneracy", "three.xyz", "--format"),
+                      ("advise", "three.xyz", "--columns"), ("nodt", "--sphere", "--vertices", 30, "--domain-as"),
+                      ("nodt", "--surface"), ("audit",), ("sweep",), ("sweep", "spec.toml", "--output"),
+                      ("reproduce", "--quick", "--only"), ("compare", "--strategies"),
+                      ("compare", "--", "replay", "three.xyz", "--columns"),
+                      ("compare", "--", *lloyd, "--domain")):
+            with self.subTest(words=words):
+                said = self.refuse(2, *words, "")
+                self.assertRegex(said, "the value is empty|not in {|'' is none of")
+
+    def test_numbers_that_no_double_holds_are_called_that(self):
+        self.xyz("three.xyz", TRIANGLE)
+        beyond = "1e400' is beyond what a double can hold"
+        for words in (("generate", "uniform", "-n", 5, "--box", "1,1e400"), ("lloyd", "--points", 9, "--box", "-1e400"),
+                      ("lloyd", "--points", 9, "--domain", "box", "--size", "1e400,1"),
+                      ("lloyd", "--points", 9, "--radius", "1e400"),
+                      ("replay", "three.xyz", "--clip", "0,0,1e400,1", "--voronoi", "--output", "out"),
+                      ("degeneracy", "three.xyz", "--thresholds", "1e400")):
+            with self.subTest(words=words):
+                self.assertIn(beyond, self.refuse(2, *words))
+        self.assertIn("'inf' is not a number", self.refuse(2, "generate", "uniform", "-n", 5, "--box", "1,inf"))
+
     def test_negative_counts_are_wrong_usage(self):
         for option in ("--iterations", "--audit", "--seed", "--threads"):
             with self.subTest(option=option):

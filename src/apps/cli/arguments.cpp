@@ -3,7 +3,6 @@
 
 #include <annulus/error.h>
 #include <apps/formats/input_error.h>
-#include <apps/formats/parse_double.h>
 
 #include <charconv>
 #include <cmath>
@@ -45,12 +44,14 @@ CLI::Validator number_within(double least, double most) {
     return {check, range.get_description(), "number"};
 }
 
+void refuse_empty_values(CLI::App& app) {
+    const auto check = [](const std::string& word) { return word.empty() ? std::string("the value is empty") : ""; };
+    for (CLI::Option* const option : app.get_options())
+        if (option->get_items_expected_max() > 0) option->check(check);
+}
+
 void add_common(CLI::App& app, Common_arguments& a, const std::string& files, const Common_words& words) {
-    app.add_option("-o,--output", a.output, "Write " + files + " to this directory")
-        ->type_name("DIR")
-        ->check([](const std::string& word) {
-            return word.empty() ? std::string("the name of a directory is empty") : "";
-        });
+    app.add_option("-o,--output", a.output, "Write " + files + " to this directory")->type_name("DIR");
     app.add_flag("--force", a.force, "Write to a directory that holds files other than results; these are kept");
     app.add_option("--seed", a.seed, words.seed)
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
@@ -85,19 +86,6 @@ void add_tracking(CLI::App& app, Tracking_arguments& a) {
         ->type_name("N")
         ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
         ->capture_default_str();
-}
-
-std::vector<double> parse_numbers(const std::string& option, std::string_view words) {
-    std::vector<double> numbers;
-    for (std::string_view rest = words;;) {
-        const std::size_t end = rest.find(',');
-        double value = 0;
-        if (parse_double(rest.substr(0, end), value) != Number_kind::finite)
-            throw Error(Error_code::usage, option + ": '" + std::string(rest.substr(0, end)) + "' is not a number");
-        numbers.push_back(value);
-        if (end == std::string_view::npos) return numbers;
-        rest.remove_prefix(end + 1);
-    }
 }
 
 Options options_of(const Tracking_arguments& tracking, const Common_arguments& common) {

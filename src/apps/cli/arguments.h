@@ -3,6 +3,7 @@
 
 #include <annulus/options.h>
 #include <apps/formats/format.h>
+#include <apps/formats/number_list.h>
 
 #include <CLI/CLI.hpp>
 
@@ -60,8 +61,9 @@ void add_format(CLI::App& app, std::string& format, std::span<const Format> form
 void add_columns(CLI::App& app, std::string& columns);
 void add_tracking(CLI::App& app, Tracking_arguments& arguments);
 
-/// The numbers of an option, separated by commas. Throws Error(usage).
-[[nodiscard]] std::vector<double> parse_numbers(const std::string& option, std::string_view words);
+/// Every option of a subcommand refuses the value "", which would otherwise be the same as no option, and so does every
+/// name of a file. Precondition: all of them have been added.
+void refuse_empty_values(CLI::App& app);
 
 /// Options of the library from those of the command line. Throws Error(usage).
 [[nodiscard]] Options options_of(const Tracking_arguments& tracking, const Common_arguments& common);

@@ -3,9 +3,8 @@
 
 #include <annulus/error.h>
 #include <apps/formats/input_error.h>
-#include <apps/formats/parse_double.h>
+#include <apps/formats/number_list.h>
 
-#include <string_view>
 #include <vector>
 
 namespace annulus::inline v1::cli {
@@ -14,16 +13,7 @@ namespace {
 
 std::vector<double> numbers_of_size(const std::string& words) {
     if (words.empty()) throw Error(Error_code::usage, "--domain box needs its lengths: --size Lx,Ly or Lx,Ly,Lz");
-    std::vector<double> numbers;
-    for (std::string_view rest = words;;) {
-        const std::size_t end = rest.find(',');
-        double value = 0;
-        if (parse_double(rest.substr(0, end), value) != Number_kind::finite)
-            throw Error(Error_code::usage, "--size: " + shown(rest.substr(0, end)) + " is not a number");
-        numbers.push_back(value);
-        if (end == std::string_view::npos) return numbers;
-        rest.remove_prefix(end + 1);
-    }
+    return parse_numbers("--size", words);
 }
 
 }  // namespace

@@ -195,6 +195,7 @@ int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt
     for (auto* command : {lloyd_command, nodt_command, replay_command}) {
         add_tracking(*command, tracking);
         add_common(*command, common, run_files);
+        refuse_empty_values(*command);
     }
     inner.require_subcommand(1);
     std::vector<std::string> reversed(invocation.inner.rbegin(), invocation.inner.rend());

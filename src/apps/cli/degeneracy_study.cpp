@@ -20,6 +20,8 @@ std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std:
         double value = 0;
         const char* const end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data(), end, value);
+        if (error == std::errc::result_out_of_range && stop == end)
+            throw Error(Error_code::usage, "--thresholds: '" + word + "' is beyond what a double can hold");
         if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
             throw Error(Error_code::usage, "--thresholds: '" + word + "' is not a positive number");
         for (const auto& [name, other] : thresholds)

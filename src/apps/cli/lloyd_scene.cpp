@@ -63,9 +63,10 @@ void add_lloyd(CLI::App& app, Lloyd_arguments& a) {
         ->check([](const std::string& word) {
             char* end = nullptr;
             const double r = std::strtod(word.c_str(), &end);
-            return end != word.c_str() && *end == '\0' && std::isfinite(r) && r > 0
-                       ? std::string()
-                       : "'" + word + "' is not a positive number";
+            const bool number = end != word.c_str() && *end == '\0';
+            if (number && std::isfinite(r) && r > 0) return std::string();
+            const bool beyond = number && std::isinf(r) && word.find_first_of("0123456789") != std::string::npos;
+            return "'" + word + (beyond ? "' is beyond what a double can hold" : "' is not a positive number");
         });
     app.add_option("--size", a.size,
                    "Of --domain box, 2D or 3D: the lengths of its edges from the origin on, Lx,Ly or Lx,Ly,Lz, or\n"

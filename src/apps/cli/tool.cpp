@@ -75,6 +75,7 @@ int run(const std::vector<std::string>& words, std::span<const Subcommand> subco
     app.get_formatter()->column_width(34);
     std::map<std::string, Run> runs;
     for (const Subcommand& s : subcommands) runs[s.name] = s.add(app, invocation);
+    for (CLI::App* const sub : app.get_subcommands({})) refuse_empty_values(*sub);
     std::reverse(outer.begin(), outer.end());
     try {
         app.parse(outer);
