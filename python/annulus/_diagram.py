@@ -52,7 +52,7 @@ class Diagram:
     @functools.cached_property
     def ridge_vertices(self) -> list[list[int]]:
         """list of lists of int: the vertices around each ridge, in order, -1 for infinity, which comes first."""
-        return [list(ring) for ring in self._by_ridge(self._corners[:, 0])]
+        return [ring.tolist() for ring in self._by_ridge(self._corners[:, 0])]
 
     @property
     def point_region(self) -> NDArray[np.intp]:
@@ -64,8 +64,9 @@ class Diagram:
         return np.split(of_corners, self._begin[1:-1]) if len(self._begin) > 1 else []
 
     def __repr__(self) -> str:
-        n = f"{len(self.points)} points, {len(self.ridge_points)} ridges in {self.points.shape[1]}D"
-        return f"<{type(self).__name__}: {n}>"
+        points = np.count_nonzero(~np.isnan(self.points[:, 0]))  # without free indices
+        return (f"<{type(self).__name__}: {points} points, {len(self.ridge_points)} ridges in "
+                f"{self.points.shape[1]}D>")
 
 
 def _without_repetitions(begin: Indices, corners: Indices, full: NDArray[np.bool_]) -> tuple[Indices, Indices]:

@@ -94,7 +94,7 @@ class PeriodicVoronoi(Diagram):
         """list of lists of int: the vertices of the cell of each point, in 2D counter-clockwise. A vertex is there
         several times, if several of its images are corners."""
         begin, corners = self._cells
-        return [list(part) for part in np.split(corners[:, 0], begin[1:-1])] if len(begin) > 1 else []
+        return [part.tolist() for part in np.split(corners[:, 0], begin[1:-1])] if len(begin) > 1 else []
 
     @functools.cached_property
     def region_shifts(self) -> list[Indices]:

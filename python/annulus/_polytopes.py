@@ -6,6 +6,8 @@ from __future__ import annotations
 import operator
 import typing
 
+import numpy as np
+
 from ._error import Error
 from ._queries import Floats, Indices
 
@@ -95,4 +97,5 @@ class VoronoiPolytopes:
         return len(self.side_indptr) - 1
 
     def __repr__(self) -> str:
-        return f"<VoronoiPolytopes: {len(self)} cells, {len(self.side_neighbors)} sides in {self.corners.shape[1]}D>"
+        cells = np.count_nonzero(np.diff(self.side_indptr))  # without free indices and empty cells
+        return f"<VoronoiPolytopes: {cells} cells, {len(self.side_neighbors)} sides in {self.corners.shape[1]}D>"

@@ -82,7 +82,7 @@ class Voronoi(Diagram):
         if not len(self.points):
             return []
         split = np.searchsorted(pairs[:, 0], np.arange(1, len(self.points)))
-        return [list(region) for region in np.split(pairs[:, 1], split)]
+        return [region.tolist() for region in np.split(pairs[:, 1], split)]
 
     def _in_order(self, pairs: NDArray[np.int32]) -> NDArray[np.int32]:
         """Sorted by cell, -1 first, then by angle around the point; of unbounded cells from the vertex on at which the

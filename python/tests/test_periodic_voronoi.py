@@ -3,6 +3,7 @@
 images as an open set. `tests/measure/periodic_diagram_test.cpp` has rational numbers."""
 
 import itertools
+import json
 
 import annulus
 import numpy as np
@@ -86,7 +87,7 @@ def check(dt):
             assert len(corners) - edges + len(faces) == 2  # Euler
     if dt.nvertices:
         assert v.volumes[there].sum() == pytest.approx(abs(np.linalg.det(dt.box)), rel=1e-9)
-    assert f"{dt.npoints} points, {len(v.ridge_points)} ridges in {d}D" in repr(v)
+    assert f"<PeriodicVoronoi: {dt.nvertices} points, {len(v.ridge_points)} ridges in {d}D" in repr(v)
     return v
 
 
@@ -205,6 +206,16 @@ def test_points_far_away_have_their_cells_around_them():
     for i in range(10):
         assert np.allclose(far.polygon(i) - away[i], near.polygon(i) - x[i], atol=1e-12)
     assert np.allclose(far.centroids - away, near.centroids - x, atol=1e-12)
+
+
+@pytest.mark.parametrize("box", [None, [1, 1], [1, 1, 1]])
+def test_lists_are_of_ints_as_scipys_are(box):
+    dt = annulus.MovingDelaunay(np.random.default_rng(8).random((20, len(box or [1, 1]))), box=box)
+    dt.remove([3, 7])
+    v = dt.voronoi()
+    for lists in (v.regions, v.ridge_vertices):
+        assert {type(k) for part in lists for k in part} == {int} and json.loads(json.dumps(lists)) == lists
+    assert "18 points" in repr(v) and "18 vertices" in repr(dt)
 
 
 def test_errors_and_nothing():

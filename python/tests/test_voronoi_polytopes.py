@@ -19,7 +19,8 @@ def test_polytopes(d, clip):
             "half-spaces": np.vstack([np.eye(d + 1)[:d] - 0.9 * np.eye(d + 1)[d], [-1] * d + [0.4]])}[clip]
     cells, diagram = dt.voronoi_polytopes(clip), dt.voronoi(clip)
     areas = {(i, j): area for (i, j), area in zip(diagram.ridge_points.tolist(), diagram.areas)}
-    assert len(cells) == 60 and repr(cells).startswith("<VoronoiPolytopes: 60 cells") and cells.faces(7) == []
+    there = sum(len(cells.faces(i)) > 0 for i in range(60))  # not 7, and not what the clip leaves nothing of
+    assert len(cells) == 60 > there and f"<VoronoiPolytopes: {there} cells" in repr(cells) and cells.faces(7) == []
     total = 0.0
     for i in range(60):
         faces = cells.faces(i)
