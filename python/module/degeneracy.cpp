@@ -15,7 +15,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,20 +32,28 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 
 /// The points without duplicate points: the first point at each position.
 template <int d>
-std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
-    std::vector<Coordinates<d>> out;
+struct Distinct {
+    std::vector<Coordinates<d>> x;
+    std::vector<Index> place;  // of each, in the array
+};
+template <int d>
+Distinct<d> distinct(std::span<const Coordinates<d>> points, bool merge_duplicates) {
+    Distinct<d> out;
     Point_set<d> seen{std::span<const Coordinates<d>>{}};
     const auto first_at = [&](std::size_t i) {
         return std::find(points.begin(), points.end(), points[i]) - points.begin();
     };
     require_in_domain(points, "point");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (seen.add(points[i])) out.push_back(points[i]);
-        else if (!merge_duplicates)
+        if (seen.add(points[i])) {
+            out.x.push_back(points[i]);
+            out.place.push_back(static_cast<Index>(i));
+        } else if (!merge_duplicates) {
             throw Error(Error_code::duplicate_point,
                         "points " + std::to_string(first_at(i)) + " and " + std::to_string(i) +
                             " have the same position (merge_duplicates=True counts such once)",
                         sharing<d>(points, static_cast<Index>(i), [](Index) { return true; }));
+        }
     }
     return out;
 }
@@ -51,14 +61,45 @@ std::vector<Coordinates<d>> distinct(std::span<const Coordinates<d>> points, boo
 /// Thresholds by name; those of the tool where none are given.
 using Thresholds = std::optional<std::vector<std::pair<std::string, double>>>;
 
+/// Every certificate of one kind, in the order of the scan.
+struct Values {
+    py::ssize_t width = 0;  // points of each
+    std::vector<Index> points{};
+    std::vector<double> width_lower{}, width_upper{}, tolerance{}, theta{};
+    std::vector<std::int8_t> stage{};
+
+    template <int d>
+    void add(const Raw_certificate<d>& c, std::span<const Index> place) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) points.push_back(place[at(c.point[i])]);
+        width_lower.push_back(c.width_lower);
+        width_upper.push_back(c.width_upper);
+        tolerance.push_back(c.tolerance);
+        if (width == d + 2) theta.push_back(c.theta);
+        stage.push_back(static_cast<std::int8_t>(c.stage));
+    }
+    [[nodiscard]] py::dict arrays(bool of_bicells) && {
+        const auto n = static_cast<py::ssize_t>(stage.size());
+        py::dict all;
+        all["points"] = give(std::move(points), {n, width});
+        all["width_lower"] = give(std::move(width_lower));
+        all["width_upper"] = give(std::move(width_upper));
+        all["tolerance"] = give(std::move(tolerance));
+        if (of_bicells) all["theta"] = give(std::move(theta));
+        all["stage"] = give(std::move(stage));
+        return all;
+    }
+};
+using Values_by_kind = std::array<Values, 3>;  // in the order of Raw_certificate::Kind
+
 template <int d>
-Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates, const Thresholds& thresholds) {
+Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates, const Thresholds& thresholds,
+                        Values_by_kind* values) {
     require_sound_environment();
     Degeneracy_record r;
     r.command = "annulus.degeneracy";
     r.dimension = d;
     r.points = points.size();
-    const auto x = distinct<d>(points, merge_duplicates);
+    const auto [x, place] = distinct<d>(points, merge_duplicates);
     if (x.size() < 2) throw Error(Error_code::too_few, "degeneracy needs two points that differ");
     r.vertices = x.size();
     const auto begin = Clock::now();
@@ -74,7 +115,8 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
         Degeneracy_options<d> options;
         if (thresholds) options.thresholds = *thresholds;
         // With one thread, the callback runs in this thread.
-        options.raw = [calls = 0U](const Raw_certificate<d>&) mutable {
+        options.raw = [calls = 0U, values, &place = place](const Raw_certificate<d>& c) mutable {
+            if (values != nullptr) (*values)[static_cast<std::size_t>(c.kind)].add(c, place);
             if (++calls % 16384 == 0) look_for_signals();
         };
         r.measured = degeneracy(mesh.table(), x, options);
@@ -84,24 +126,33 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
 }
 
 template <int d>
-py::object study_of(Numbers numbers, bool merge_duplicates, const Thresholds& thresholds) {
+py::object study_of(Numbers numbers, bool merge_duplicates, const Thresholds& thresholds, bool with_values) {
     const Points_in<d> points(std::move(numbers), "points");
+    Values_by_kind values{Values{d + 2}, Values{d + 1}, Values{d + 1}};
     Degeneracy_record record;
     {
         const Without_gil without_gil;
-        record = study<d>(points.span(), merge_duplicates, thresholds);
+        record = study<d>(points.span(), merge_duplicates, thresholds, with_values ? &values : nullptr);
     }
-    return object_of(degeneracy_json(record));
+    py::object result = object_of(degeneracy_json(record));
+    if (with_values) {
+        py::dict arrays;
+        arrays["bicells"] = std::move(values[0]).arrays(true);
+        arrays["cells"] = std::move(values[1]).arrays(false);
+        arrays["ridges"] = std::move(values[2]).arrays(false);
+        result["values"] = arrays;
+    }
+    return result;
 }
 
 }  // namespace
 
 void add_degeneracy(py::module_& m) {
-    m.def("degeneracy", [](const py::object& points, bool merge_duplicates, const Thresholds& thresholds) {
+    m.def("degeneracy", [](const py::object& points, bool merge_duplicates, const Thresholds& thresholds, bool values) {
         Numbers numbers = numbers_of(points, "points");
         const bool space = numbers.ndim() == 2 && numbers.shape(1) == 3;
-        return space ? study_of<3>(std::move(numbers), merge_duplicates, thresholds)
-                     : study_of<2>(std::move(numbers), merge_duplicates, thresholds);
+        return space ? study_of<3>(std::move(numbers), merge_duplicates, thresholds, values)
+                     : study_of<2>(std::move(numbers), merge_duplicates, thresholds, values);
     });
 }
 

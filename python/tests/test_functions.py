@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """degeneracy, counterexample, lloyd, nodt; beside the tool where it was built (ANNULUS_TOOL)."""
 
+import csv
 import fractions
 import json
 import os
@@ -37,6 +38,36 @@ def test_degeneracy_of_a_grid():
     json.dumps(r)
     r = annulus.degeneracy(np.random.default_rng(0).random((200, 3)).astype(np.float32))
     assert r["dimension"] == 3 and r["bicells"]["zero"] == 0 and r["bicells"]["total"] > 1000
+
+
+@with_tool
+@pytest.mark.parametrize("d", [2, 3])
+def test_degeneracy_has_the_values_of_every_certificate(tmp_path, d):
+    x = np.random.default_rng(d).random((40, d))
+    x[-8:] = np.indices((2,) * 3).reshape(3, -1).T[:, :d] / 8 + 2  # in 2D two at each place
+    found = annulus.degeneracy(x, merge_duplicates=True, values=True)
+    values = found.pop("values")
+    assert found.keys() == annulus.degeneracy(x, merge_duplicates=True).keys()
+    write_xyz(tmp_path / "x.xyz", x)
+    tool(tmp_path, "degeneracy", "x.xyz", "--dim", d, "--raw", "raw.csv", "--quiet")
+    with open(tmp_path / "raw.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    stages = ("filter", "interval", "exact")
+    for kind, one in (("bicells", "bicell"), ("cells", "cell"), ("ridges", "ridge")):
+        of, theirs = values[kind], [row for row in rows if row["kind"] == one]
+        width = d + 2 if kind == "bicells" else d + 1
+        assert of["points"].shape == (len(theirs), width) and of["points"].dtype == np.int32 and len(theirs) > 0
+        assert of["points"].tolist() == [[int(row[f"point_{i}"]) for i in range(width)] for row in theirs]
+        for name in ("width_lower", "width_upper", "tolerance"):
+            assert of[name].tolist() == [float(row[name]) for row in theirs]
+        assert [stages[s] for s in of["stage"]] == [row["stage"] for row in theirs] and of["stage"].dtype == np.int8
+        assert ("theta" in of) == (kind == "bicells")
+        zero = np.count_nonzero(of["width_upper"] == 0)
+        assert (found[kind]["total"], found[kind]["zero"]) == (len(theirs), zero) and np.all(of["tolerance"] >= 0)
+    theta = values["bicells"]["theta"]
+    assert theta.shape == (found["bicells"]["total"],) and np.all((0 <= theta) & (theta <= np.pi / 2 + 1e-12))
+    flat = annulus.degeneracy(np.arange(9.0).reshape(-1, 1) * np.ones(d), values=True)["values"]
+    assert [flat[kind]["points"].shape for kind in flat] == [(0, d + 2), (0, d + 1), (0, d + 1)]
 
 
 def test_degeneracy_of_little():
