@@ -155,6 +155,9 @@ struct Raw_certificate {
     double tolerance = 0;  ///< of each of its points, certified
     Stage stage = Stage::filter;  ///< that decided sign and tolerance
     double theta = 0;             ///< of a bi-cell, in radians
+    /// Where its points are, as many: in a periodic box the images of which it is, with the last one at the place of
+    /// its vertex.
+    std::array<Coordinates<d>, static_cast<std::size_t>(d) + 2> place{};
 };
 
 template <int d>

@@ -33,22 +33,34 @@ Box<d> unit_box() {
     return Box<d>::orthorhombic(lengths);
 }
 
-/// A certificate by its points, up to translations: ascending numbers, width, theta.
+/// A certificate by its points, up to translations: ascending numbers, width, theta, the squares of the distances
+/// between the places of its points, ascending.
 struct Found {
     std::vector<Index> points;
     double width = 0, theta = 0;
+    std::vector<double> squares;
 };
-bool precedes(const Found& a, const Found& b) { return a.points < b.points; }
+bool precedes(const Found& a, const Found& b) {
+    return a.points != b.points ? a.points < b.points : a.squares < b.squares;
+}
 bool is_like(const Found& a, const Found& b) {
-    return a.points == b.points && a.width == Approx(b.width).epsilon(1e-3) &&  // ends of enclosures
+    return a.points == b.points && a.squares == b.squares &&
+           a.width == Approx(b.width).epsilon(1e-3) &&  // ends of enclosures
            a.theta == Approx(b.theta).margin(1e-6);
 }
 template <int d>
 Found found_of(const Raw_certificate<d>& c, Index modulus) {
-    Found f{{}, c.width_lower, c.theta};
+    Found f{{}, c.width_lower, c.theta, {}};
     for (const Index v : c.point)
         if (v != none) f.points.push_back(v % modulus);
+    for (std::size_t i = 0; i < f.points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            double sum = 0;  // exact: coordinates are multiples of 2^-20
+            for (std::size_t k = 0; k < d; ++k) sum += std::pow(c.place[i][k] - c.place[j][k], 2);
+            f.squares.push_back(sum);
+        }
     std::sort(f.points.begin(), f.points.end());
+    std::sort(f.squares.begin(), f.squares.end());
     return f;
 }
 
@@ -79,6 +91,8 @@ std::vector<Found> of_copies(const std::vector<Coordinates<d>>& x) {
     std::vector<Found> result;
     Degeneracy_options<d> options;
     options.raw = [&](const Raw_certificate<d>& c) {
+        for (std::size_t i = 0; i < c.point.size(); ++i)
+            if (c.point[i] != none) REQUIRE(c.place[i] == all[static_cast<std::size_t>(c.point[i])]);
         Tile first;
         first.fill(9);
         for (const Index v : c.point)
@@ -96,6 +110,8 @@ std::vector<Found> of_torus(const Periodic_mesh<d>& mesh, int threads) {
     Degeneracy_options<d> options;
     options.threads = threads;
     options.raw = [&](const Raw_certificate<d>& c) {
+        const std::size_t last = c.point.back() == none ? d : d + 1;
+        REQUIRE(c.place[last] == mesh.places()[static_cast<std::size_t>(c.point[last])]);
         result.push_back(found_of<d>(c, static_cast<Index>(mesh.index_bound())));
     };
     (void)degeneracy(mesh, options);

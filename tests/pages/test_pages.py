@@ -94,8 +94,8 @@ class Pages(BrowserTest):
         where = Path(cls.directory.name)
         draw = random.Random(1)
         files = {"MOTION": where / "motion.csv", "GRID": where / "grid.xyz", "POINTS": where / "points.xyz",
-                 "LINE": where / "line.xyz", "SPEC": where / "spec.toml", "LATTICE": where / "lattice.csv",
-                 "PICTURE": ROOT / "docs/knot.png"}
+                 "LINE": where / "line.xyz", "SPEC": where / "spec.toml", "BOXES": where / "boxes.toml",
+                 "LATTICE": where / "lattice.csv", "PICTURE": ROOT / "docs/knot.png"}
         people = [[draw.random(), draw.random()] for _ in range(60)]
         rows = ["frame,id,x,y"]
         for frame in range(25):
@@ -107,6 +107,9 @@ class Pages(BrowserTest):
         files["LATTICE"].write_text("frame,id,x,y\n" + "".join(
             f"{f},{6 * x + y},{x + f},{y + f}\n" for f in range(3) for x in range(6) for y in range(6)))
         files["LINE"].write_text("0 0\n1 1\n2 2\n")
+        files["BOXES"].write_text("[[grid]]\npoints = 50\nbox = [\"2,1\", \"1,0.25,0,2\", \"1,1,1\"]\n"
+                                  "motion = { kind = \"shear\", steps = [0, 1] }\n[[grid]]\npoints = 50\n",
+                                  encoding="utf-8")
         files["SPEC"].write_text("[[grid]]\npoints = 100\ndimension = 3\n"
                                  "[[grid]]\npoints = 300\nkind = [\"uniform\", \"jittered\"]\n"
                                  "rounding = [\"double\", \"decimal:3\"]\nseeds = 3\n")

@@ -41,8 +41,6 @@ class Spec(test_sweep.SweepTest):
             (grid + "seeds = []\n", 3, ["'seeds' is an empty list"]),
             (grid + "seeds = [9007199254740992]\n", 3, ["'seeds'"]),
             (grid + "kinds = \"grid\"\n", 3, ["unknown key 'kinds' in [[grid]]"]),
-            (grid + "box = [1, 1]\n", 3,
-             ["'box': the experiments of a sweep have open boundaries", "degeneracy --box"]),
             (grid + "name = 1979-05-27\n", 3, ["'name' is a date or time"]),
             (grid + "motion = \"walk\"\n", 3, ["'motion' is 'walk'", "a table"]),
             (grid + "motion = { kind = \"walk\" }\n", 3, ["no 'steps'"]),

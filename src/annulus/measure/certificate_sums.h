@@ -83,9 +83,16 @@ void Certificate_sums<d>::enter_certificates(const Batch& b, Kind kind, Certific
             tolerance_[at] = std::min(tolerance_[at], b.value[i].tolerance);
             marks_[at] |= mark;
         }
-        if (options_.raw)
-            options_.raw({kind, b.point[i], 2 * h.lower, 2 * h.upper, b.value[i].tolerance, b.value[i].stage,
-                          theta.empty() ? 0 : theta[i]});
+        if (!options_.raw) continue;
+        Raw_certificate<d> raw{kind,
+                               b.point[i],
+                               2 * h.lower,
+                               2 * h.upper,
+                               b.value[i].tolerance,
+                               b.value[i].stage,
+                               theta.empty() ? 0 : theta[i]};
+        for (std::size_t k = 0; k < b.tuple[i].size(); ++k) raw.place[k] = *b.tuple[i][k];
+        options_.raw(raw);
     }
 }
 

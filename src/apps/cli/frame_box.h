@@ -2,7 +2,8 @@
 #pragma once
 
 #include <annulus/box.h>
-#include <apps/cli/arguments.h>
+#include <apps/formats/given_box.h>
+#include <apps/formats/number_list.h>
 #include <apps/formats/read_points.h>
 #include <apps/motion/recorded_motion.h>
 
@@ -13,19 +14,8 @@
 
 namespace annulus::inline v1::cli {
 
-/// Whether a box of a file is periodic in the first d directions. Throws Input_error where it is in some of them only.
-[[nodiscard]] bool is_periodic(const File_box& box, int d, const std::string& file);
-
-/// The box of its first d vectors. Throws Input_error where Box refuses them, and in 2D where one of the two has a z.
-template <int d>
-[[nodiscard]] Box<d> box_of(const File_box& box, const std::string& file);
-
 /// The numbers of --box: d lengths, or d vectors one after the other, separated by commas. Throws Error(usage).
 [[nodiscard]] inline std::vector<double> parse_box(const std::string& words) { return parse_numbers("--box", words); }
-/// 2 for 2 or 4 numbers, 3 for 3 or 9. Throws Error(usage).
-[[nodiscard]] int dimension_of_box(const std::vector<double>& numbers);
-template <int d>
-[[nodiscard]] Box<d> box_of(const std::vector<double>& numbers);
 
 /// The error of a triangulation in a box that names points of x, which are those of the file: as a fault of the last
 /// of them. O(n).
@@ -57,11 +47,7 @@ class Frame_boxes {
 
 extern template class Frame_boxes<2>;
 extern template class Frame_boxes<3>;
-extern template Box<2> box_of<2>(const File_box&, const std::string&);
-extern template Box<3> box_of<3>(const File_box&, const std::string&);
 extern template Input_error fault_in_box<2>(const Error&, const Point_file<2>&, std::span<const Coordinates<2>>);
 extern template Input_error fault_in_box<3>(const Error&, const Point_file<3>&, std::span<const Coordinates<3>>);
-extern template Box<2> box_of<2>(const std::vector<double>&);
-extern template Box<3> box_of<3>(const std::vector<double>&);
 
 }  // namespace annulus::inline v1::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/experiment/spec.h>
 
+#include <apps/experiment/spec_boxes.h>
 #include <apps/experiment/spec_reader.h>
 #include <apps/formats/decimal.h>
 
@@ -49,12 +50,9 @@ class Grid_reader {
         : t_(name, table), number_(number), directory_(directory), spec_(spec) {}
 
     void read() {
-        if (t_.has("box"))
-            t_.fail("box", "'box': the experiments of a sweep have open boundaries",
-                    "no periodic box; annulus degeneracy --box counts the points of one file in it");
-        t_.allow(
-            {"name", "points", "dimension", "kind", "rounding", "motion", "seeds", "file", "frames", "every", "open"},
-            "[[grid]]");
+        t_.allow({"name", "points", "dimension", "box", "kind", "rounding", "motion", "seeds", "file", "frames",
+                  "every", "open"},
+                 "[[grid]]");
         common_.grid = number_;
         common_.grid_name = t_.text("name", "grid " + std::to_string(number_ + 1));
         for (const std::string& word : t_.texts("rounding", {"double"})) {
@@ -65,6 +63,7 @@ class Grid_reader {
                             ") or grid:SPACING");
             roundings_.push_back(*rounding);
         }
+        if (t_.has("box")) forbid({"dimension", "open"}, "and 'box' exclude each other");
         if (t_.has("file")) read_file();
         else read_generated();
     }
@@ -79,25 +78,25 @@ class Grid_reader {
         forbid({"frames", "every", "open"}, "needs a 'file'");
         t_.require("points", "how many, a list or one; or a 'file'");
         const auto points = t_.wholes("points", {}, 1, Spec::most_points);
-        const auto dimensions = t_.wholes("dimension", {2}, 2, 3);
-        std::vector<std::pair<std::string, Point_family>> kinds;
-        for (const std::string& word : t_.texts("kind", {"uniform"})) {
-            const auto family = family_named(point_families, word);
-            if (!family) t_.fail("kind", "'kind' is " + shown(word), "one of " + names_of(point_families));
-            kinds.emplace_back(word, *family);
-        }
-        const std::vector<Trial_motion> motions = read_motions(kinds, dimensions, points);
+        std::vector<Spec_space> spaces = boxes_of(t_);
+        if (spaces.empty())
+            for (const std::uint64_t dimension : t_.wholes("dimension", {2}, 2, 3))
+                spaces.push_back({static_cast<int>(dimension)});
+        const std::vector<Kind> kinds = read_kinds(spaces, points);
+        const std::vector<Trial_motion> motions = read_motions(kinds, spaces, points);
         const auto [repetitions, literal] = read_seeds();
-        for (const auto& kind : kinds)
-            for (const std::uint64_t dimension : dimensions)
+        for (const Kind& kind : kinds)
+            for (const Spec_space& space : spaces)
                 for (const std::uint64_t n : points)
                     for (std::size_t m = 0; m < std::max<std::size_t>(1, motions.size()); ++m)
                         for (const Rounding& rounding : roundings_)
                             for (const std::uint64_t r : repetitions) {
                                 Trial t = common_;
-                                t.dimension = static_cast<int>(dimension);
-                                t.kind = kind.first;
-                                t.family = kind.second;
+                                t.dimension = space.dimension;
+                                t.box = space.box;
+                                t.kind = kind.word;
+                                t.family = kind.family;
+                                t.crystal = kind.crystal;
                                 t.points = n;
                                 if (!motions.empty()) t.motion = motions[m];
                                 t.rounding = rounding;
@@ -108,6 +107,27 @@ class Grid_reader {
                             }
     }
 
+    /// Of generated points.
+    struct Kind {
+        std::string word;
+        Point_family family = Point_family::uniform;
+        std::optional<Crystal> crystal{};
+    };
+    std::vector<Kind> read_kinds(const std::vector<Spec_space>& spaces,
+                                 const std::vector<std::uint64_t>& points) const {
+        std::vector<Kind> kinds;
+        for (const std::string& word : t_.texts("kind", {"uniform"})) {
+            const auto family = family_named(point_families, word);
+            const auto crystal = family_named(crystals, word);
+            if (!family && !crystal)
+                t_.fail("kind", "'kind' is " + shown(word),
+                        "one of " + names_of(point_families) + ", in a 'box' also " + names_of(crystals));
+            if (crystal) require_crystal_fits(t_, {word, *crystal}, spaces, points);
+            kinds.push_back({word, family.value_or(Point_family::uniform), crystal});
+        }
+        return kinds;
+    }
+
     std::pair<std::vector<std::uint64_t>, bool> read_seeds() const {
         const toml::node* const node = t_.find("seeds");
         if (node != nullptr && node->is_array()) return {t_.wholes("seeds", {}, 0, json_seeds - 1), true};
@@ -116,8 +136,7 @@ class Grid_reader {
         return {repetitions, false};
     }
 
-    std::vector<Trial_motion> read_motions(const std::vector<std::pair<std::string, Point_family>>& kinds,
-                                           const std::vector<std::uint64_t>& dimensions,
+    std::vector<Trial_motion> read_motions(const std::vector<Kind>& kinds, const std::vector<Spec_space>& spaces,
                                            const std::vector<std::uint64_t>& points) {
         const toml::node* const node = t_.find("motion");
         if (node == nullptr) return {};
@@ -137,12 +156,15 @@ class Grid_reader {
         for (const std::string& word : m.texts("kind", {})) {
             if (word == "lloyd" || word == "nodt") {
                 const bool lloyd = word == "lloyd";
-                for (const std::uint64_t d : dimensions)
-                    if (d != (lloyd ? 2 : 3))
+                if (t_.has("box"))
+                    m.fail("kind", word + " moves points with open boundaries",
+                           "one of " + names_of(motion_families) + ", or no 'box'");
+                for (const Spec_space& space : spaces)
+                    if (space.dimension != (lloyd ? 2 : 3))
                         m.fail("kind", word + " moves points in " + (lloyd ? "2D" : "3D"),
                                lloyd ? "dimension = 2" : "dimension = 3");
-                for (const auto& kind : kinds)
-                    if (!lloyd && kind.first != "uniform")
+                for (const Kind& kind : kinds)
+                    if (!lloyd && kind.word != "uniform")
                         m.fail("kind", "nodt begins with uniform points of the ball", "kind = \"uniform\"");
                 if (const std::uint64_t least = lloyd ? 3 : 4; *std::min_element(points.begin(), points.end()) < least)
                     t_.fail("points", "'points' has fewer than " + word + " moves", std::to_string(least) + " or more");
@@ -164,24 +186,27 @@ class Grid_reader {
     void read_file() {
         forbid({"points", "kind", "motion", "seeds"}, "is of generated points, not of a 'file'");
         if (t_.has("frames")) forbid({"every"}, "and 'frames' exclude each other");
-        const auto dimension = t_.whole("dimension", 0, 2, 3);
+        std::vector<Spec_space> spaces = boxes_of(t_);
+        if (spaces.empty()) spaces.push_back({static_cast<int>(t_.whole("dimension", 0, 2, 3))});
         const auto frames = t_.wholes("frames", {}, 0, no_limit);
         const auto every = t_.whole("every", 0, 1, no_limit);
         for (const std::string& file : t_.texts("file", {})) {
             const std::filesystem::path path = directory_ / file;
             const std::uint64_t size = note(path);
-            for (const Rounding& rounding : roundings_) {
-                Trial t = common_;
-                t.dimension = static_cast<int>(dimension);
-                t.rounding = rounding;
-                t.file = file;
-                t.path = path.string();
-                t.frames = frames;
-                t.every = every;
-                t.open = t_.flag("open");
-                estimate(t, size / 40, 3);  // about forty bytes per point; it has not been read yet
-                add(std::move(t));
-            }
+            for (const Spec_space& space : spaces)
+                for (const Rounding& rounding : roundings_) {
+                    Trial t = common_;
+                    t.dimension = space.dimension;
+                    t.box = space.box;
+                    t.rounding = rounding;
+                    t.file = file;
+                    t.path = path.string();
+                    t.frames = frames;
+                    t.every = every;
+                    t.open = t_.flag("open");
+                    estimate(t, size / 40, 3);  // about forty bytes per point; it has not been read yet
+                    add(std::move(t));
+                }
         }
     }
 
@@ -247,6 +272,7 @@ toml::table parsed(const std::string& name, std::string_view text) {
 std::uint64_t seed_of(std::uint64_t spec_seed, const Trial& t, std::uint64_t repetition) {
     std::string place = t.kind + "," + std::to_string(t.dimension) + "," + std::to_string(t.points);
     if (t.motion) place += "," + t.motion->name + "," + decimal(t.motion->pace);
+    for (const double x : t.box) place += " box " + decimal(x);
     std::uint64_t z = mixed(spec_seed);
     for (const char c : place) z = mixed(z ^ static_cast<unsigned char>(c));
     return mixed(z ^ repetition) % json_seeds;

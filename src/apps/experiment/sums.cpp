@@ -7,7 +7,7 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr std::array common{"grid",   "name",     "kind",   "file", "ignored", "dimension",
+constexpr std::array common{"grid",   "name",     "kind",   "file", "ignored", "dimension", "box",
                             "points", "rounding", "motion", "pace", "step",    "frame"};
 
 }  // namespace

@@ -47,7 +47,7 @@ Table_row row_of(const Grid_point& point, std::size_t number) {
     for (const char* name : {"bicells.stage.interval", "bicells.stage.exact", "bicells.not_convex"})
         row.push_back(share(count(t, name), bicells));
     for (const char* name : {"tolerance.paper_above_exact", "tolerance.paper_unsound"})
-        row.push_back(share(count(t, name), vertices));
+        row.push_back(share(count(t, name), t.counts.contains(name) ? vertices : 0));  // there is none in a box
     row.push_back({grouped(count(t, "flat")), static_cast<double>(count(t, "flat"))});
     return row;
 }
@@ -55,17 +55,28 @@ Table_row row_of(const Grid_point& point, std::size_t number) {
 /// "none", or the number.
 std::string none_or(std::uint64_t n) { return n == 0 ? "none" : grouped(n); }
 
-/// What the placements of one dimension have.
-std::string finding(int dimension, const Tally& t) {
+/// Grid points are added by dimension, those in periodic boxes apart.
+struct Space {
+    int dimension = 2;
+    bool periodic = false;
+    [[nodiscard]] std::string words() const {
+        return std::string(periodic ? "in periodic boxes " : "") + "in " + std::to_string(dimension) + "D";
+    }
+    friend auto operator<=>(const Space&, const Space&) = default;
+};
+
+/// What the placements of one space have.
+std::string finding(const Space& space, const Tally& t) {
     const std::uint64_t zero = count(t, "bicells.zero"), narrow = count(t, "bicells.below.1e-9");
-    std::string text = "In " + std::to_string(dimension) + "D " + none_or(zero) + " of " +
-                       grouped(count(t, "bicells.total")) + " bi-cells " + (zero <= 1 ? "is" : "are") +
-                       " exactly degenerate, and " + none_or(narrow) + (narrow <= 1 ? " is" : " are") +
-                       " narrower than a billionth of a mean spacing";
+    std::string text = space.words() + " " + none_or(zero) + " of " + grouped(count(t, "bicells.total")) +
+                       " bi-cells " + (zero <= 1 ? "is" : "are") + " exactly degenerate, and " + none_or(narrow) +
+                       (narrow <= 1 ? " is" : " are") + " narrower than a billionth of a mean spacing";
     if (const auto least = t.least.find("bicells.width"); least != t.least.end())
         text += " (the least width is " + readable(least->second) + ")";
-    return text + ". Integers had to decide " + none_or(count(t, "bicells.stage.exact")) +
-           " of them. The paper's tolerance is unsound at " + none_or(count(t, "tolerance.paper_unsound")) + " of " +
+    text[0] = 'I';
+    text += ". Integers had to decide " + none_or(count(t, "bicells.stage.exact")) + " of them.";
+    if (space.periodic) return text;
+    return text + " The paper's tolerance is unsound at " + none_or(count(t, "tolerance.paper_unsound")) + " of " +
            grouped(count(t, "vertices")) + " vertices.";
 }
 
@@ -74,14 +85,14 @@ std::string finding(int dimension, const Tally& t) {
 std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) {
     std::string out = page_head(spec.title, "");
     append_warnings(out, ignored_boxes(points));
-    std::map<int, std::vector<Sweep_row>> of;  // by dimension
-    std::map<int, Tally> sum;
+    std::map<Space, std::vector<Sweep_row>> of;
+    std::map<Space, Tally> sum;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const int dimension = points[i].where["dimension"].get<int>();
-        of[dimension].push_back({i + 1, &points[i]});
-        sum[dimension] += points[i].tally;
+        const Space space{points[i].where["dimension"].get<int>(), points[i].where.contains("box")};
+        of[space].push_back({i + 1, &points[i]});
+        sum[space] += points[i].tally;
     }
-    for (const auto& [dimension, tally] : sum) append_findings(out, {finding(dimension, tally)});
+    for (const auto& [space, tally] : sum) append_findings(out, {finding(space, tally)});
     out += "<h2>What was found</h2>\n";
     std::vector<Table_row> rows;
     for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
@@ -96,10 +107,10 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
         "the nearest placement at which a certificate is exactly 0, and where it is unsound. Flat: placements whose "
         "points do not span the space, of which nothing is counted.</figcaption>\n";
     Tally all;
-    for (const auto& [dimension, tally] : sum) {
-        const std::string where = sum.size() > 1 ? " in " + std::to_string(dimension) + "D" : "";
-        append_distributions(out, of[dimension], "Distributions" + where);
-        append_stages(out, tally, "Which arithmetic decides" + where);
+    for (const auto& [space, tally] : sum) {
+        const std::string where = sum.size() > 1 ? " " + space.words() : "";
+        append_distributions(out, of[space], "Distributions" + where);
+        append_stages(out, tally, "Which arithmetic decides" + where, space.periodic);
         all += tally;
     }
     out += "<h2>The sweep in numbers</h2>\n<div class=\"numbers\"><table>\n";
@@ -110,7 +121,8 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     append_row(out, "bi-cells", grouped(count(all, "bicells.total")));
     append_row(out, "seed of the sweep, from which each trial has its own", std::to_string(spec.seed));
     out += "</table></div>\n";
-    append_terms(out, {of.contains(2), of.contains(3), false});
+    const auto has = [&sum](int dimension, bool periodic) { return sum.contains({dimension, periodic}); };
+    append_terms(out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !has(2, false) && !has(3, false)});
     return out + page_foot();
 }
 

@@ -31,6 +31,12 @@ Series cumulative(std::string name, const Bins& bins, const Histogram& scale, do
     return cumulative_curve(std::move(name), {scale.edges(), bins.in, bins.below, samples(bins)}, {}, least_share);
 }
 
+/// Whether a row has samples of this name: in periodic boxes there are none of the paper's tolerance.
+bool have(const std::vector<Sweep_row>& rows, const std::string& name) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const Sweep_row& row) { return row.point->tally.histograms.contains(name); });
+}
+
 /// Whether all samples of the rows are in the two bins that meet at 1.
 bool all_are_one(const std::vector<Sweep_row>& rows, const std::string& name) {
     const auto edges = scale(name).edges();
@@ -135,6 +141,23 @@ std::vector<Sweep_row> some_of(const std::vector<Sweep_row>& rows) {
     return some;
 }
 
+/// "box 2 × 1", "box (1 0) (0.5 1)", as text.
+std::string box_label(const nlohmann::ordered_json& vectors) {
+    std::string lengths, rows;
+    bool upright = true;
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+        rows += " (";
+        for (std::size_t k = 0; k < vectors.size(); ++k) {
+            const double x = vectors[i][k].get<double>();
+            rows += (k > 0 ? " " : "") + readable(x);
+            upright = upright && (i == k || x == 0);
+            if (i == k) lengths += (i > 0 ? " × " : " ") + readable(x);
+        }
+        rows += ")";
+    }
+    return "box" + (upright ? lengths : rows);
+}
+
 /// Whether intervals or integers had to decide certificates of this kind.
 bool beyond_filter(const Tally& t, const std::string& kind) {
     return count(t, kind + ".stage.interval") + count(t, kind + ".stage.exact") > 0;
@@ -145,6 +168,7 @@ bool beyond_filter(const Tally& t, const std::string& kind) {
 std::string label_of(const nlohmann::ordered_json& w) {
     std::string text = w.contains("file") ? w["file"].get<std::string>() : w["kind"].get<std::string>();
     text += ", " + std::to_string(w["dimension"].get<int>()) + "D, " + readable(w["points"].get<double>());
+    if (w.contains("box")) text += ", " + box_label(w["box"]);
     if (w["rounding"] != "double") text += ", " + w["rounding"].get<std::string>();
     if (w.contains("motion")) text += ", " + w["motion"].get<std::string>();
     if (w.contains("pace")) text += " " + readable(w["pace"].get<double>());
@@ -165,6 +189,7 @@ void append_distributions(std::string& out, const std::vector<Sweep_row>& all, c
           std::array{"tolerance.certified", "Certified tolerances of vertices", "tolerance (mean spacings)"},
           std::array{"tolerance.paper_over_exact", "The paper's tolerance over the exact one", "ratio"}}) {
         const bool ratio = std::string_view(x) == "ratio";  // few of them are below 1
+        if (!have(all, name)) continue;
         if (ratio && all_are_one(all, name)) {
             caption += " The paper's tolerance is the exact one at all vertices, up to 6 %, the width of a bin.";
             continue;
@@ -190,19 +215,18 @@ void append_distributions(std::string& out, const std::vector<Sweep_row>& all, c
     append_plots(out, heading, plots, caption);
 }
 
-void append_stages(std::string& out, const Tally& tally, const std::string& heading) {
+void append_stages(std::string& out, const Tally& tally, const std::string& heading, bool periodic) {
+    const char* const width =
+        periodic ? "width (spacings of the grid of the box)" : "width (ulps of the largest coordinate)";
     std::vector<Plot> plots;
     std::string filter_alone;
     if (beyond_filter(tally, "bicells")) {
         plots.push_back(stages_plot("Bi-cells by theta", "theta (radians)", tally, "theta_log"));
-        plots.push_back(
-            stages_plot("Bi-cells by width", "width (ulps of the largest coordinate)", tally, "bicells.width_ulps"));
+        plots.push_back(stages_plot("Bi-cells by width", width, tally, "bicells.width_ulps"));
     } else {
         filter_alone += "The filter decided all " + grouped(count(tally, "bicells.total")) + " bi-cells. ";
     }
-    if (beyond_filter(tally, "cells"))
-        plots.push_back(
-            stages_plot("Cells by width", "width (ulps of the largest coordinate)", tally, "cells.width_ulps"));
+    if (beyond_filter(tally, "cells")) plots.push_back(stages_plot("Cells by width", width, tally, "cells.width_ulps"));
     else filter_alone += "The filter decided all " + grouped(count(tally, "cells.total")) + " cells. ";
     if (plots.empty()) out += "<h2>" + escaped(heading) + "</h2>\n<p>" + escaped(filter_alone) + "</p>\n";
     append_plots(out, heading, plots,

@@ -113,24 +113,25 @@ Tally tally_of(const Degeneracy& d) {
     t.counts["vertices"] = d.vertices.total;
     add_widths(t, "bicells", d.bicells.least, d.thresholds);
     add_widths(t, "cells", d.cells.least, d.thresholds);
-    add_widths(t, "ridges", d.ridges.least, d.thresholds);
+    if (!d.periodic) add_widths(t, "ridges", d.ridges.least, d.thresholds);
     if (d.dimension == 3) add_widths(t, "standard", d.standard, d.thresholds);
     add_stages(t, "bicells", d.bicells.arithmetic);
     add_stages(t, "cells", d.cells.arithmetic);
-    add_stages(t, "ridges", d.ridges.arithmetic);
+    if (!d.periodic) add_stages(t, "ridges", d.ridges.arithmetic);
     add_stages(t, "convexity", d.convexity);
     t.counts["bicells.not_convex"] = d.non_convex;
     t.counts["bicells.flat"] = d.flat;
     const Vertex_counts& v = d.vertices;
     t.counts["tolerance.zero"] = v.zero;
     for (std::size_t k = 0; k < v.below.size(); ++k) t.counts["tolerance.below." + d.thresholds[k].name] = v.below[k];
+    t.histograms["tolerance.certified"] = bins_of(v.certified.histogram);
+    t.histograms["theta"] = bins_of(d.theta.histogram);
+    if (d.periodic) return t;
     t.counts["tolerance.paper_above_exact"] = v.paper_above_exact;
     t.counts["tolerance.paper_unsound"] = v.paper_unsound;
     t.counts["tolerance.unsound_certificates"] = v.unsound_certificates;
-    t.histograms["tolerance.certified"] = bins_of(v.certified.histogram);
     t.histograms["tolerance.paper"] = bins_of(v.paper.histogram);
     t.histograms["tolerance.paper_over_exact"] = bins_of(v.paper_ratio);
-    t.histograms["theta"] = bins_of(d.theta.histogram);
     return t;
 }
 

@@ -53,8 +53,8 @@ struct Scale_of {
 /// logarithmic scale); the first or the last edge where it is beyond. NaN without samples.
 [[nodiscard]] double quantile(const Bins& bins, const Histogram& scale, double p);
 
-/// The counts of `degeneracy`, without the data of single certificates (theta and width by stage), see
-/// Certificate_tally.
+/// The counts of `degeneracy`, in a periodic box without ridges and the paper's tolerances; without the data of single
+/// certificates (theta and width by stage), see Certificate_tally.
 [[nodiscard]] Tally tally_of(const Degeneracy& found);
 
 /// Theta and width of certificates by the stage that decided them.

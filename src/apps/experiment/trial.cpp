@@ -5,9 +5,11 @@
 #include <apps/experiment/study.h>
 #include <apps/formats/distinct.h>
 #include <apps/formats/frame_points.h>
+#include <apps/formats/given_box.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/motion_reader.h>
 #include <apps/formats/read_points.h>
+#include <apps/motion/boxed_points.h>
 #include <apps/report/memory.h>
 
 #include <algorithm>
@@ -20,6 +22,7 @@ namespace annulus::inline v1 {
 namespace {
 
 using Json = nlohmann::ordered_json;
+const std::string opened = "open = true in its [[grid]]";
 
 /// The lines of one trial.
 class Lines {
@@ -27,17 +30,20 @@ class Lines {
     Lines(const Trial& trial, std::size_t hardest, int threads) : trial_(trial), threads_(threads), result_(hardest) {}
 
     /// One experiment: `where` is {"step": ..} or {"frame": ..}. `merged`: points that are not in x because others have
-    /// the same position.
+    /// the same position. In a periodic box the points are rounded, the box is not.
     template <int d>
-    void look(const Json& where, std::vector<Coordinates<d>> x, std::size_t merged = 0) {
+    void look(const Json& where, std::vector<Coordinates<d>> x, std::size_t merged = 0,
+              const std::optional<Box<d>>& box = {}) {
         const std::size_t points = x.size() + merged;
         round_to<d>(trial_.rounding, x);
-        const Study found = study<d>(keep_distinct<d>(std::move(x)), trial_.seed, result_.hard, threads_);
+        const Study found = box ? study_in_box<d>(std::move(x), *box, trial_.seed, result_.hard, threads_)
+                                : study<d>(keep_distinct<d>(std::move(x)), trial_.seed, result_.hard, threads_);
         Json line{{"grid", trial_.grid + 1}, {"name", trial_.grid_name}};
         if (trial_.file.empty()) line["kind"] = trial_.kind;
         else line["file"] = trial_.file;
         line.update(input_);
         line["dimension"] = d;
+        if (box) line["box"] = box->vectors();
         line["points"] = points;
         line["rounding"] = trial_.rounding.name;
         if (trial_.motion) {
@@ -87,12 +93,27 @@ void examine_steps(const Trial& t, Motion& motion, Lines& lines) {
     std::uint64_t step = 0;
     for (const std::uint64_t wanted : t.steps) {
         for (; step < wanted; ++step) motion.step();
-        lines.look<d>({{"step", wanted}}, {motion.points().begin(), motion.points().end()});
+        std::optional<Box<d>> box;
+        if constexpr (requires { motion.box(); }) box = motion.box();
+        lines.look<d>({{"step", wanted}}, {motion.points().begin(), motion.points().end()}, 0, box);
     }
 }
 
 template <int d>
+void run_in_box(const Trial& t, Lines& lines) {
+    const auto n = static_cast<std::size_t>(t.points);
+    const Box<d> box = box_of<d>(t.box, "'box'");
+    std::vector<Coordinates<d>> x = t.crystal
+                                        ? crystal_in<d>(box, *t.crystal, unit_cells<d>(box, *t.crystal, n).value())
+                                        : generate_in<d>(box, t.family, n, t.seed);
+    if (!t.motion) return lines.look<d>({{"step", 0}}, std::move(x), 0, box);
+    Generated_motion<d> motion(box, std::move(x), t.motion->family, t.motion->pace, t.seed);
+    examine_steps<d>(t, motion, lines);
+}
+
+template <int d>
 void run_generated(const Trial& t, Lines& lines, int threads) {
+    if (!t.box.empty()) return run_in_box<d>(t, lines);
     const auto n = static_cast<std::size_t>(t.points);
     if (!t.motion) return lines.look<d>({{"step", 0}}, generate<d>(t.family, n, t.seed));
     if constexpr (d == 2) {
@@ -108,6 +129,14 @@ void run_generated(const Trial& t, Lines& lines, int threads) {
     examine_steps<d>(t, motion, lines);
 }
 
+/// The box of the trial, else that of the file, if it is periodic in all directions.
+template <int d>
+std::optional<Box<d>> box_of_file(const Trial& t, const std::optional<File_box>& of_file, const std::string& name) {
+    if (!t.box.empty()) return box_of<d>(t.box, "'box'");
+    if (!of_file || !is_periodic(*of_file, d, name, opened)) return {};
+    return box_of<d>(*of_file, name, opened);
+}
+
 template <int d>
 void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& lines) {
     std::uint64_t at = 0;
@@ -118,7 +147,8 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
         if (named || (t.every > 0 && at % t.every == 0)) {
             lines.input(reader.columns(), reader.ignored_box());
             Frame_points<d> points = points_of<d>(reader.name(), frame, Coincident::merge);
-            lines.look<d>({{"frame", frame.number}}, std::move(points.x), points.merged);
+            lines.look<d>({{"frame", frame.number}}, std::move(points.x), points.merged,
+                          box_of_file<d>(t, frame.box, reader.name()));
         }
         ++at;
     } while ((t.every > 0 || found < t.frames.size()) && reader.next(frame));
@@ -128,7 +158,8 @@ void run_frames(const Trial& t, Motion_reader& reader, Frame& frame, Lines& line
 }
 
 void run_file(const Trial& t, Lines& lines) {
-    const Periodic_box box{.ignored = t.open, .how = "open = true in its [[grid]]"};
+    const Periodic_box box{
+        .taken = !t.open && t.box.empty(), .replaced = !t.box.empty(), .ignored = t.open, .how = opened.c_str()};
     if (!t.frames.empty() || t.every > 0) {
         Motion_reader reader(t.path, {Absent_frames::skip, "", box});
         Frame frame;
@@ -138,10 +169,11 @@ void run_file(const Trial& t, Lines& lines) {
     }
     const Read_options options{.ignore_z = t.dimension == 2, .box = box};
     const auto look = [&]<int d>(const Point_file<d>& file) {
-        std::vector<Coordinates<d>> x = distinct_points(file, 2);
+        const std::optional<Box<d>> of_points = box_of_file<d>(t, file.box, file.name);
+        std::vector<Coordinates<d>> x = distinct_points(file, of_points ? 1 : 2);
         const std::size_t merged = file.points.size() - x.size();
         lines.input(file.columns, file.ignored_box);
-        lines.look<d>(Json::object(), std::move(x), merged);
+        lines.look<d>(Json::object(), std::move(x), merged, of_points);
     };
     if (t.dimension == 2) look(read_points<2>(t.path, options));
     else if (t.dimension == 3) look(read_points<3>(t.path, options));

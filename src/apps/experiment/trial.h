@@ -3,6 +3,7 @@
 
 #include <apps/experiment/hard_inputs.h>
 #include <apps/experiment/rounding.h>
+#include <apps/motion/crystal.h>
 #include <apps/motion/generated_motion.h>
 
 #include <cstdint>
@@ -29,8 +30,13 @@ struct Trial {
     int dimension = 2;    ///< 0 for a file: that of the file
     Rounding rounding{};  ///< of the examined points; a motion continues in doubles
 
+    /// The numbers of a periodic box (formats/given_box.h), for a file in place of its own. None: boundaries are open,
+    /// or the file decides.
+    std::vector<double> box{};
+
     std::string kind{};  ///< of generated points
     Point_family family = Point_family::uniform;
+    std::optional<Crystal> crystal{};  ///< in place of the family, in a box
     std::uint64_t points = 0;
     std::uint64_t seed = 0;  ///< of points and motion, as in `annulus generate`
     std::optional<Trial_motion> motion{};
