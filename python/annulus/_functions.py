@@ -127,6 +127,7 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
 
     Examples
     --------
+    >>> import annulus
     >>> found = annulus.degeneracy([[0, 0], [2, 0], [2, 2], [0, 2.5]], values=True)["values"]
     >>> len(found["bicells"]["width_lower"]), len(found["cells"]["points"]), len(found["ridges"]["points"])
     (1, 2, 4)
