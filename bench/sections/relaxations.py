@@ -21,7 +21,7 @@ WHAT = ["Seconds are of all iterations. \"CGAL's\" is its insertion of a range, 
 
 def row(name, run, must, aim, motion_must, motion_aim):
     """One run of annulus-relaxations as a row."""
-    seconds = {name: run[s]["seconds"] for s in run if isinstance(run[s], dict)}
+    seconds = {s: run[s]["seconds"] for s in run if isinstance(run[s], dict)}
     ratio = seconds["cgal"] / seconds["auto"]
     motion = run["motion"] / seconds["cgal"]
     certified = round(seconds["paper"] / seconds["paper:floating"], 2)
