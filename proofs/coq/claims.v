@@ -6,7 +6,7 @@
    same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
-From Annulus Require sums torus_2 torus_3 torus_moving torus_delaunay.
+From Annulus Require sums torus_2 torus_3 torus_moving torus_frames torus_powers torus_triangulation torus_delaunay.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
@@ -182,17 +182,25 @@ Proof.
 Qed.
 Print Assumptions periodic_degree_in_space.
 
-Theorem periodic_mesh_in_the_plane : forall (x : nat -> point_2) L, 0 < torus_2.det_2 L -> forall T, torus_2.glued_torus_2 T ->
-  torus_delaunay.positive_torus_2 x L T -> torus_delaunay.strictly_delaunay_2 x L T ->
-  (forall z c0, In c0 T -> exists c u, In c T /\ torus_delaunay.in_torus_cell x L z (torus_delaunay.moved_cell_2 u c) /\
+Theorem periodic_powers_in_the_plane : forall (x : nat -> point_2) L, 0 < torus_2.det_2 L -> forall T, torus_2.glued_torus_2 T ->
+  torus_frames.positive_torus_2 x L T -> torus_frames.locally_delaunay_2 x L T ->
+  forall z c0, In c0 T -> exists c u, In c T /\ torus_frames.in_torus_cell x L z (torus_frames.moved_cell_2 u c) /\
     forall c' u', In c' T ->
-    torus_delaunay.power_of x L z (torus_delaunay.moved_cell_2 u c) <= torus_delaunay.power_of x L z (torus_delaunay.moved_cell_2 u' c')) /\
-  (forall vertex : nat -> Prop,
-    (forall c s, In c T -> vertex (fst s) -> torus_delaunay.in_torus_cell x L (torus_2.site_at x L s) c -> torus_delaunay.corner_of_torus s c) ->
-    forall c, In c T -> exists o r2, (forall s, torus_delaunay.corner_of_torus s c -> dist2 (torus_2.site_at x L s) o = r2) /\
-    forall s, vertex (fst s) -> r2 <= dist2 (torus_2.site_at x L s) o).
+    torus_powers.power_of x L z (torus_frames.moved_cell_2 u c) <= torus_powers.power_of x L z (torus_frames.moved_cell_2 u' c').
+Proof. intros x L D T G P S z c0. now apply torus_powers.least_power. Qed.
+Print Assumptions periodic_powers_in_the_plane.
+
+Theorem periodic_mesh_in_the_plane : forall (x : nat -> point_2) L, 0 < torus_2.det_2 L -> forall T, torus_delaunay.covers_once x L T ->
+  torus_triangulation.triangulates x L T /\
+  (torus_frames.locally_delaunay_2 x L T -> torus_delaunay.circles_empty x L T) /\
+  (torus_frames.strictly_delaunay_2 x L T -> torus_delaunay.circles_strictly_empty x L T /\
+    forall T', torus_delaunay.covers_once x L T' -> torus_frames.locally_delaunay_2 x L T' ->
+    (forall v, torus_frames.torus_vertex T v <-> torus_frames.torus_vertex T' v) -> torus_delaunay.same_cells T T').
 Proof.
-  intros x L D T G P S. split; [intros z c0; now apply torus_delaunay.least_power|]. intros vertex A. now apply torus_delaunay.torus_delaunay.
+  intros x L D T C. split; [|split].
+  - apply torus_triangulation.torus_triangulates; trivial; [apply C|apply C|now apply (torus_delaunay.degree_one x L)].
+  - now apply torus_delaunay.torus_delaunay.
+  - intro S. split; [now apply torus_delaunay.torus_strict|]. intros T' C' S' V. now apply (torus_delaunay.torus_unique x L).
 Qed.
 Print Assumptions periodic_mesh_in_the_plane.
 
