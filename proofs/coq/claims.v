@@ -6,7 +6,7 @@
    same in space. *)
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
-From Annulus Require sums torus_2 torus_3 torus_moving torus_frames torus_powers torus_triangulation torus_delaunay.
+From Annulus Require sums torus_2 torus_3 torus_degree_3 torus_moving torus_frames torus_powers torus_triangulation torus_delaunay.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
@@ -172,12 +172,13 @@ Print Assumptions periodic_degree_in_the_plane.
 
 Theorem periodic_degree_in_space : forall T, torus_3.glued_torus_3 T ->
   (forall x L, sums.sum (torus_3.torus_volume x L) T = IZR (torus_3.covers_3 T) * torus_3.det_3 L) /\
+  (exists N, torus_3.covers_3 T = (6 * N)%Z) /\
   (forall v k, torus_3.covers_3 (map (torus_3.wrapped_3 v k) T) = torus_3.covers_3 T) /\
   (forall m, torus_3.offset_det (torus_3.m1 m) (torus_3.m2 m) (torus_3.m3 m) = 1%Z ->
     torus_3.covers_3 (map (torus_3.rebased_3 m) T) = torus_3.covers_3 T) /\
   (forall A B rest, torus_3.same_border_3 A B -> T = A ++ rest -> torus_3.covers_3 (B ++ rest) = torus_3.covers_3 T).
 Proof.
-  intros T G. split; [now apply torus_3.degree_3|]. split; [intros; now apply torus_3.covers_wrapped_3|].
+  intros T G. split; [now apply torus_3.degree_3|]. split; [now apply torus_degree_3.covers_six|]. split; [intros; now apply torus_3.covers_wrapped_3|].
   split; [intros; now apply torus_3.covers_in_basis_3|]. intros A B rest S ->. symmetry. now apply torus_3.covers_replaced_3.
 Qed.
 Print Assumptions periodic_degree_in_space.
