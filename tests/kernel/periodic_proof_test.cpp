@@ -9,8 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <span>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -257,4 +260,39 @@ TEST_CASE("In a box that is thinner than the spacing of points the collar is as 
         builder.build(lattice, x, 1, table);
         CHECK(builder.attempts() <= 3);
     }
+}
+
+TEST_CASE("A collar as wide as spheres suffices, also where circumcentres are on sides of the box",
+          "[kernel][periodic]") {
+    const auto build = [](const auto& box, auto x, auto& builder) {
+        constexpr int d = std::tuple_size_v<typename std::decay_t<decltype(x)>::value_type>;
+        const Lattice<d> lattice(box.vectors());
+        for (auto& p : x) p = lattice.representative(p, 0).place;
+        Periodic_table<d> table;
+        builder.build(lattice, x, 1, table);
+        CHECK(builder.attempts() == 1);
+        return static_cast<double>(builder.copies()) / static_cast<double>(x.size());
+    };
+    Periodic_builder<2> in_2d;
+    Periodic_builder<3> in_3d;
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        Periodic_cases cases(seed);
+        const Box<2> square = cases.box<2>(0);
+        CHECK(build(square, cases.points<2>(square, 2000), in_2d) < 1.2);
+        const Box<3> tilted = cases.box<3>(4);
+        CHECK(build(tilted, cases.points<3>(tilted, 4000), in_3d) < 2.2);
+    }
+    const Box<3> cube = Box<3>::orthorhombic({6, 6, 6});
+    std::vector<Coordinates<3>> simple, faces;
+    for (int i = 0; i < 216; ++i) {
+        const double a = i % 6, b = i / 6 % 6, c = i / 36;
+        simple.push_back({a, b, c});
+        for (const auto& [p, q, r] : {Coordinates<3>{0, 0, 0}, {.5, .5, 0}, {.5, 0, .5}, {0, .5, .5}})
+            faces.push_back({a + p, b + q, c + r});
+    }
+    build(cube, simple, in_3d);
+    build(cube, faces, in_3d);
+    for (auto& p : faces)  // centres of cells are on sides of the box
+        for (double& c : p) c += 0.25;
+    build(cube, faces, in_3d);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_signs.h>
 
-#include <annulus/engine/clear_cells.h>
+#include <annulus/mesh/clear_cells.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
 #include <annulus/predicate/exact_sign.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/engine/budget.h>
-#include <annulus/engine/clear_periodic_cells.h>
 #include <annulus/engine/cost_model.h>
+#include <annulus/mesh/clear_periodic_cells.h>
 #include <annulus/mesh/periodic_table.h>
 #include <annulus/space/lattice.h>
 #include <annulus/types.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/sign_evaluator.h>
 
-#include <annulus/engine/clear_cells.h>
 #include <annulus/engine/cost_model.h>
+#include <annulus/mesh/clear_cells.h>
 #include <annulus/mesh/degenerate.h>
 #include <annulus/mesh/parallel_runs.h>
 #include <annulus/mesh/sort_unique.h>

@@ -4,6 +4,7 @@
 #include <annulus/arithmetic/duplicate_point.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/kernel/periodic_proof.h>
+#include <annulus/predicate/sphere_terms.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr double first_collar[] = {0, 0, 3.0, 2.8};  // by dimension, in mean spacings
+constexpr double first_collar[] = {0, 0, 1.7, 1.6};  // by dimension, in mean spacings
 constexpr double wider = 1.4;
 
 /// The mean distance of neighbours, roughly. In a box that is thinner than that, points are spread over its other
@@ -31,6 +32,21 @@ double mean_spacing(double volume, Coordinates<d> heights, std::size_t points) {
     std::size_t thin = 0;
     while (thin + 1 < d && heights[thin] < spacing(thin)) volume /= heights[thin++];
     return spacing(thin);
+}
+
+/// The circumcentre of a cell relative to its first corner, from where the others are relative to it. Rounded, and NaN
+/// or far off where the cell is nearly flat.
+Coordinates<2> circumcentre_of(const std::array<Coordinates<2>, 2>& u) {
+    const auto terms = sphere_terms(Vector_2<double>{u[0][0], u[0][1]}, Vector_2<double>{u[1][0], u[1][1]});
+    const double scale = -0.5 / terms.determinant;
+    return {scale * terms.normal.x, scale * terms.normal.y};
+}
+Coordinates<3> circumcentre_of(const std::array<Coordinates<3>, 3>& u) {
+    const auto terms =
+        sphere_terms(Vector_3<double>{u[0][0], u[0][1], u[0][2]}, Vector_3<double>{u[1][0], u[1][1], u[1][2]},
+                     Vector_3<double>{u[2][0], u[2][1], u[2][2]});
+    const double scale = 0.5 / terms.determinant;
+    return {scale * terms.normal.x, scale * terms.normal.y, scale * terms.normal.z};
 }
 
 /// A facet up to a translation, and where it is.
@@ -70,7 +86,9 @@ void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coord
             widest = widest && collar[i] == lattice.reach()[i];
         }
         copy_into(lattice, place, collar);
-        if (triangulate_copies(threads) && keep_one_of_each(table) && is_proved_delaunay(table, lattice, place)) return;
+        if (triangulate_copies(threads) && keep_one_of_each(lattice, !widest, table) &&
+            is_proved_delaunay(table, lattice, place, threads))
+            return;
         if (widest) throw std::logic_error("a periodic triangulation was not proved: please report this");
     }
 }
@@ -86,12 +104,17 @@ void Periodic_builder<d>::copy_into(const Lattice<d>& lattice, std::span<const C
         if (!is_place<d>(place[v])) continue;
         const Coordinates<d> f = lattice.in_basis(place[v]);
         Shift<d> low, high, o;
+        Home& home = home_[v];
+        home.deep = true;
         for (std::size_t i = 0; i < d; ++i) {
+            const double whole = std::floor(f[i]);
             low[i] = static_cast<std::int32_t>(std::ceil(-collar[i] - f[i]));
             high[i] = static_cast<std::int32_t>(std::floor(1 + collar[i] - f[i]));
-            o[i] = static_cast<std::int32_t>(-std::floor(f[i]));
+            o[i] = static_cast<std::int32_t>(-whole);
+            home.fraction[i] = f[i] - whole;
+            home.deep = home.deep && low[i] == high[i];
         }
-        home_[v] = Offset<d>(o);
+        home.offset = Offset<d>(o);
         for (o = low;;) {
             const Offset<d> offset(o);
             copy_.push_back(lattice.place(place[v], offset));
@@ -127,16 +150,47 @@ bool Periodic_builder<d>::triangulate_copies(int threads) {
     return true;
 }
 
+/// What is computed is the same, bit for bit, for each translate: differences of places are not rounded, the order of the
+/// corners is that of their images, and what a translation adds is subtracted from both sides of a comparison.
 template <int d>
-bool Periodic_builder<d>::keep_one_of_each(Periodic_table<d>& table) {
+bool Periodic_builder<d>::has_centre_at_home(const Lattice<d>& lattice,
+                                             std::array<Index, static_cast<std::size_t>(d + 1)> copies) const {
+    const auto image = [this](Index copy) -> const Image<d>& { return image_[static_cast<std::size_t>(copy)]; };
+    const auto place = [this](Index copy) -> const Coordinates<d>& { return copy_[static_cast<std::size_t>(copy)]; };
+    std::sort(copies.begin(), copies.end(), [&](Index l, Index r) { return image(l) < image(r); });
+    std::array<Coordinates<d>, static_cast<std::size_t>(d)> u;
+    for (std::size_t k = 0; k < d; ++k)
+        for (std::size_t i = 0; i < d; ++i) u[k][i] = place(copies[k + 1])[i] - place(copies[0])[i];
+    const Coordinates<d> centre = lattice.in_basis(circumcentre_of(u));
+    const Home& home = home_[static_cast<std::size_t>(image(copies[0]).vertex)];
+    const Shift<d> away = (image(copies[0]).label - home.offset).unpacked();
+    bool inside = true;  // not where the centre is NaN
+    for (std::size_t i = 0; i < d; ++i) {
+        const double f = home.fraction[i] + centre[i];
+        inside = inside && f >= -away[i] && f < 1 - away[i];
+    }
+    return inside;
+}
+
+template <int d>
+bool Periodic_builder<d>::keep_one_of_each(const Lattice<d>& lattice, bool by_centre, Periodic_table<d>& table) {
     table.clear();
     kept_.assign(cells_.cell_bound().offset(), -1);
     for (const Cell_index c : cells_.finite_cells()) {
+        std::array<Index, static_cast<std::size_t>(d + 1)> copies;
         Cell_images<d> cell;
-        for (std::size_t i = 0; i <= d; ++i)
-            cell[i] = image_[static_cast<std::size_t>(cells_.vertex(cells_.corner(c, static_cast<int>(i))))];
-        const Image<d> least = *std::min_element(cell.begin(), cell.end());
-        if (least.label != home_[static_cast<std::size_t>(least.vertex)]) continue;
+        bool deep = true;
+        for (std::size_t i = 0; i <= d; ++i) {
+            copies[i] = cells_.vertex(cells_.corner(c, static_cast<int>(i)));
+            cell[i] = image_[static_cast<std::size_t>(copies[i])];
+            deep = deep && home_[static_cast<std::size_t>(cell[i].vertex)].deep;
+        }
+        if (by_centre) {
+            if (!deep && !has_centre_at_home(lattice, copies)) continue;
+        } else {
+            const Image<d> least = *std::min_element(cell.begin(), cell.end());
+            if (least.label != home_[static_cast<std::size_t>(least.vertex)].offset) continue;
+        }
         kept_[c.offset()] = static_cast<Index>(table.size());
         auto& vertex = table.vertex.emplace_back();
         auto& offset = table.offset.emplace_back();

@@ -16,11 +16,15 @@ namespace annulus::inline v1 {
 ///
 ///     +---------------+
 ///     |  . copies  .  |    The points are copied into a collar around the basis' cell and triangulated by Builder.
-///     |  +---------+  |    Of the cells, one of each orbit is kept: that whose least image (vertex, offset) is in the
-///     |. |  points |. |    basis' cell. Where its neighbour is not the one that is kept, facets are matched by their
-///     |  +---------+  |    images up to a translation. The result counts if it is proved (is_proved_delaunay), so it
-///     |  .  .   .  .  |    need not be known how wide the collar has to be: it is widened until that is so.
+///     |  +---------+  |    Of the cells, one of each orbit is kept: that whose circumcentre is in the basis' cell.
+///     |. |  points |. |    Where its neighbour is not the one that is kept, facets are matched by their images up to
+///     |  +---------+  |    a translation. The result counts if it is proved (is_proved_delaunay), so it need not be
+///     |  .  .   .  .  |    known how wide the collar has to be: it is widened until that is so.
 ///     +---------------+
+///
+/// The sphere of a cell that is kept is in the basis' cell and its radius around it, so a collar as wide as the largest
+/// radius suffices. In the widest collar (Lattice::reach), cells are kept whose least image (vertex, offset) is in the
+/// basis' cell: no circumcentre is needed then, which is far off where a cell is nearly flat.
 ///
 /// Buffers are kept from one build to the next. One call at a time.
 template <int d>
@@ -37,16 +41,27 @@ class Periodic_builder {
     [[nodiscard]] int attempts() const { return attempts_; }
 
   private:
+    /// Where a vertex is.
+    struct Home {
+        Coordinates<d> fraction;  // coordinates in the basis of the image in its cell, at least 0 and below 1
+        Offset<d> offset;         // of this image
+        bool deep;                // it is in no collar of another basis cell
+    };
+
     void copy_into(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, const Coordinates<d>& collar);
     [[nodiscard]] bool triangulate_copies(int threads);
     /// False where the kept cells do not fit together.
-    [[nodiscard]] bool keep_one_of_each(Periodic_table<d>& table);
+    [[nodiscard]] bool keep_one_of_each(const Lattice<d>& lattice, bool by_centre, Periodic_table<d>& table);
+    /// Whether the circumcentre is in the basis' cell: true of one translate of a cell at most, and where all are among
+    /// the copies, of exactly one.
+    [[nodiscard]] bool has_centre_at_home(const Lattice<d>& lattice,
+                                          std::array<Index, static_cast<std::size_t>(d + 1)> copies) const;
     [[nodiscard]] bool match_facets(Periodic_table<d>& table);
 
     Builder<d> builder_;
     std::vector<Coordinates<d>> copy_;  // places
     std::vector<Image<d>> image_;       // by copy
-    std::vector<Offset<d>> home_;       // by vertex: of the image in the basis' cell
+    std::vector<Home> home_;            // by vertex
     std::vector<Index> numbers_;        // 0, 1, 2 ..
     Corner_table<d> cells_;             // of the copies, in an order that does not depend on threads
     std::vector<Index> kept_;           // by cell of the copies: its number in the table, or -1

@@ -2,6 +2,8 @@
 #include <annulus/kernel/periodic_proof.h>
 
 #include <annulus/arithmetic/exact.h>
+#include <annulus/mesh/clear_cells.h>
+#include <annulus/mesh/clear_periodic_cells.h>
 #include <annulus/predicate/bounds.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
@@ -25,13 +27,13 @@ class Periodic_proof {
     Periodic_proof(Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place)
         : table_(table), lattice_(lattice), place_(place) {}
 
-    [[nodiscard]] bool operator()() {
+    /// By at most this many threads.
+    [[nodiscard]] bool operator()(int threads = 1) {
         if (!is_glued() || !has_every_vertex()) return false;
         table_.cospherical.assign(table_.size(), {});
+        if (!is_right(threads)) return false;
         sum_ = error_ = 0;
-        for (std::size_t c = 0; c < table_.size(); ++c)
-            if (!is_right(c, c)) return false;
-            else add_volume(places(c), 1);
+        for (std::size_t c = 0; c < table_.size(); ++c) add_volume(places(c), 1);
         return covers_once();
     }
 
@@ -128,27 +130,29 @@ class Periodic_proof {
                 if (!is_left_glued(h)) return false;
         return true;
     }
+    /// The slots other than i, ascending.
+    [[nodiscard]] static constexpr std::array<std::size_t, static_cast<std::size_t>(d)> others(std::size_t i) {
+        std::array<std::size_t, static_cast<std::size_t>(d)> slot{};
+        for (std::size_t k = 0; k < d; ++k) slot[k] = k < i ? k : k + 1;
+        return slot;
+    }
     /// Whether the facets opposite to these corners have the same images, in opposite orders: with the opposite corners
-    /// paired, too, the corners of one cell are an odd permutation of those of the other.
+    /// paired, too, the corners of one cell are an odd permutation of those of the other. So those of the facets, each
+    /// in ascending order of slots, are an even one where i + j is odd, which is a rotation, and else a reflection.
     [[nodiscard]] bool is_glued(std::size_t c, std::size_t i, std::size_t m, std::size_t j) const {
         const Offset<d> shift = table_.translation(c, i);
-        std::array<std::size_t, static_cast<std::size_t>(d + 1)> partner;
-        unsigned taken = 1U << j;
-        for (std::size_t k = 0; k <= d; ++k) {
-            partner[k] = j;
-            if (k == i) continue;
-            const Offset<d> wanted = table_.offset[c][k] - shift;
-            std::size_t l = 0;
-            while (l <= d && (table_.vertex[m][l] != table_.vertex[c][k] || table_.offset[m][l] != wanted || l == j))
-                ++l;
-            if (l > d || (taken >> l & 1U) != 0) return false;
-            taken |= 1U << l;
-            partner[k] = l;
+        const auto here = others(i), there = others(j);
+        const bool rotated = (i + j) % 2 != 0;
+        for (std::size_t r = 0; r < (d == 2 ? 1 : 3); ++r) {
+            bool same = true;
+            for (std::size_t k = 0; k < d; ++k) {
+                const std::size_t l = there[rotated ? (r + k) % d : (r + 2 * d - 1 - k) % d];
+                same = same && table_.vertex[c][here[k]] == table_.vertex[m][l] &&
+                       table_.offset[c][here[k]] == table_.offset[m][l] + shift;
+            }
+            if (same) return true;
         }
-        bool odd = false;
-        for (std::size_t k = 0; k <= d; ++k)
-            for (std::size_t l = 0; l < k; ++l) odd ^= partner[k] < partner[l];
-        return odd;
+        return false;
     }
     [[nodiscard]] bool has_every_vertex() const {
         std::vector<char> used(place_.size(), 0);
@@ -182,6 +186,17 @@ class Periodic_proof {
     void forget_cospherical(std::size_t c) {
         table_.cospherical[c] = {};
         for (const Corner_index t : table_.twin[c]) table_.cospherical[Table::cell_of(t)][Table::slot_of(t)] = 0;
+    }
+    /// Whether all cells are positive, and no sphere holds an opposite vertex.
+    [[nodiscard]] bool is_right(int threads) {
+        if (has_fast_clear_cells()) {
+            Clear_periodic_cells<d> clear;
+            clear.find(table_, lattice_, place_, threads);
+            return std::all_of(clear.rest().begin(), clear.rest().end(), [this](auto c) { return is_right(c, 0); });
+        }
+        for (std::size_t c = 0; c < table_.size(); ++c)
+            if (!is_right(c, c)) return false;
+        return true;
     }
     /// Whether c is positive and its sphere holds no opposite vertex of a cell with this number or a larger one.
     [[nodiscard]] bool is_right(std::size_t c, std::size_t least) {
@@ -269,8 +284,9 @@ class Periodic_proof {
 }  // namespace
 
 template <int d>
-bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place) {
-    return Periodic_proof<d>(table, lattice, place)();
+bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place,
+                        int threads) {
+    return Periodic_proof<d>(table, lattice, place)(threads);
 }
 
 template <int d>
@@ -279,8 +295,8 @@ bool is_still_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattic
     return Periodic_proof<d>(table, lattice, place)(changes);
 }
 
-template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>);
-template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>);
+template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>, int);
+template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>, int);
 template bool is_still_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>,
                                        const Periodic_table_changes<2>&);
 template bool is_still_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>,

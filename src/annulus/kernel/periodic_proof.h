@@ -15,10 +15,11 @@ namespace annulus::inline v1 {
 /// docs/theory.md 8.3: facets are glued in pairs, with opposite orientations and to the same images; every vertex has a
 /// cell, but where its place is NaN; the volumes of the cells add up to that of the lattice; every cell is positive,
 /// and no opposite vertex is inside the sphere of a bi-cell, where cospherical points are decided by the perturbation.
-/// All of it is exact, so that `true` is a proof. Writes `cospherical`. O(n). Needs rounding to nearest.
+/// All of it is exact, so that `true` is a proof. Writes `cospherical`. By at most this many threads. O(n). Needs
+/// rounding to nearest.
 template <int d>
 [[nodiscard]] bool is_proved_delaunay(Periodic_table<d>& table, const Lattice<d>& lattice,
-                                      std::span<const Coordinates<d>> place);
+                                      std::span<const Coordinates<d>> place, int threads = 1);
 
 /// What was changed in a table.
 template <int d>
@@ -38,8 +39,8 @@ template <int d>
                                             std::span<const Coordinates<d>> place,
                                             const Periodic_table_changes<d>& changes);
 
-extern template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>);
-extern template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>);
+extern template bool is_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>, int);
+extern template bool is_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>, int);
 extern template bool is_still_proved_delaunay(Periodic_table<2>&, const Lattice<2>&, std::span<const Coordinates<2>>,
                                               const Periodic_table_changes<2>&);
 extern template bool is_still_proved_delaunay(Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>,

@@ -8,7 +8,7 @@ namespace annulus::inline v1 {
 // The determinant of an empty circle or sphere, with the part of the cell computed first: one formula for doubles, four
 // of them side by side, intervals and integers. The order of operations is part of what is proved
 // (proofs/gappa/circumcircle_2.g, circumsphere_3.g). Always inlined: an operation on four doubles has no instruction
-// on the baseline of the target (engine/four_cells.h).
+// on the baseline of the target (mesh/four_cells.h).
 
 /// Of a triangle or a cell with one corner at 0.
 template <class Vector, class T>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/clear_periodic_cells.h>
+#include <annulus/mesh/clear_periodic_cells.h>
 
-#include <annulus/engine/four_cells.h>
+#include <annulus/mesh/four_cells.h>
+#include <annulus/mesh/parallel_runs.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstring>
 
@@ -128,18 +130,18 @@ struct Lifted_cells {
     std::array<std::array<Index, 4>, static_cast<std::size_t>(d + 1)> shift{}, opposite_shift{};
 };
 
-/// By cell: whether an offset of it or of a neighbour is not 0. In the normal form all images of the bi-cells of the
-/// others are representatives.
+/// Marks the cells in [first, last) that have an offset other than 0, and their neighbours, which other threads may
+/// mark, too. In the normal form all images of the bi-cells of the others are representatives.
 template <int d>
-void find_lifted(const Periodic_table<d>& table, std::vector<std::uint8_t>& lifted) {
-    lifted.assign(table.size(), 0);
+void mark_lifted(const Periodic_table<d>& table, std::size_t first, std::size_t last, std::uint8_t* lifted) {
+    const auto mark = [lifted](std::size_t c) { std::atomic_ref(lifted[c]).store(1, std::memory_order_relaxed); };
     const auto* const offset = table.offset.data();
-    for (std::size_t c = 0, size = table.size(); c < size; ++c) {
+    for (std::size_t c = first; c < last; ++c) {
         std::int32_t any = 0;
         for (std::size_t k = 0; k <= d; ++k) any |= offset[c][k].packed();
         if (any == 0) continue;
-        lifted[c] = 1;
-        for (const Corner_index h : table.twin[c]) lifted[table.cell_of(h)] = 1;
+        mark(c);
+        for (const Corner_index h : table.twin[c]) mark(table.cell_of(h));
     }
 }
 
@@ -151,16 +153,16 @@ ANNULUS_INLINE void test_four(const Cells& cells, const std::array<std::size_t, 
         if (clear[i] == 0) rest.push_back(cell[i]);
 }
 
-/// Of cells that are not lifted; adds the others to `left`.
+/// Of cells in [first, last) that are not lifted; adds the others to `left`.
 template <int d>
-ANNULUS_AVX2 void find_unclear_plain(const Periodic_table<d>& table, const std::uint8_t* lifted,
-                                     const Coordinates<d>* x, std::vector<std::size_t>& left,
-                                     std::vector<std::size_t>& rest) {
+ANNULUS_AVX2 void find_unclear_plain(const Periodic_table<d>& table, std::size_t first, std::size_t last,
+                                     const std::uint8_t* lifted, const Coordinates<d>* x,
+                                     std::vector<std::size_t>& left, std::vector<std::size_t>& rest) {
     constexpr std::size_t ahead = 16;
     const Cells_in_memory<d> t(table);
     Plain_cells<d> four{x};
     std::size_t size = 0;
-    for (std::size_t c = 0, end = table.size(); c < end; ++c) {
+    for (std::size_t c = first, end = table.size(); c < last; ++c) {
         // The positions of a cell's neighbours are three dependent loads away.
         if (d == 3 && c + 2 * ahead < end)
             for (const Corner_index h : t.twin[c + 2 * ahead]) __builtin_prefetch(&t.vertex[table.cell_of(h)]);
@@ -208,13 +210,24 @@ ANNULUS_AVX2 void find_unclear_lifted(const Periodic_table<d>& table, std::span<
 
 template <int d>
 void Clear_periodic_cells<d>::find(const Periodic_table<d>& table, const Lattice<d>& lattice,
-                                   std::span<const Coordinates<d>> x) {
+                                   std::span<const Coordinates<d>> x, int threads) {
+    constexpr std::size_t length = 8192;  // of a run
+    const std::size_t cells = table.size();
+    lifted_.assign(cells, 0);
+    found_.resize((cells + length - 1) / length);
+    for_each_run(cells, length, threads,
+                 [&](std::size_t first, std::size_t last) { mark_lifted(table, first, last, lifted_.data()); });
+    const Near_shifts<d> shifts(lattice);
+    for_each_run(cells, length, threads, [&](std::size_t first, std::size_t last) {
+        Found& found = found_[first / length];
+        found.left.clear();
+        found.rest.clear();
+        find_unclear_plain(table, first, last, lifted_.data(), x.data(), found.left, found.rest);
+        find_unclear_lifted(table, std::span<const std::size_t>(found.left), shifts, x.data(), found.rest);
+        std::sort(found.rest.begin(), found.rest.end());
+    });
     rest_.clear();
-    find_lifted(table, lifted_);
-    left_.clear();
-    find_unclear_plain(table, lifted_.data(), x.data(), left_, rest_);
-    find_unclear_lifted(table, std::span<const std::size_t>(left_), Near_shifts<d>(lattice), x.data(), rest_);
-    std::sort(rest_.begin(), rest_.end());
+    for (const Found& found : found_) rest_.insert(rest_.end(), found.rest.begin(), found.rest.end());
 }
 
 template class Clear_periodic_cells<2>;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Four cells at a time are clear where each of them is by itself.
-#include <annulus/engine/clear_cells.h>
 #include <annulus/kernel/delaunay_mesh.h>
 #include <annulus/mesh/certificates.h>
+#include <annulus/mesh/clear_cells.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/engine/clear_cells.h>
+#include <annulus/mesh/clear_cells.h>
 
-#include <annulus/engine/four_cells.h>
+#include <annulus/mesh/four_cells.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Four cells with offsets at a time are clear where each of them is by itself.
-#include <annulus/engine/clear_cells.h>
-#include <annulus/engine/clear_periodic_cells.h>
 #include <annulus/error.h>
 #include <annulus/kernel/periodic_builder.h>
+#include <annulus/mesh/clear_cells.h>
+#include <annulus/mesh/clear_periodic_cells.h>
 #include <annulus/predicate/circumcircle_2.h>
 #include <annulus/predicate/circumsphere_3.h>
 
