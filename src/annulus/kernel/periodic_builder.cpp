@@ -150,8 +150,8 @@ bool Periodic_builder<d>::triangulate_copies(int threads) {
     return true;
 }
 
-/// What is computed is the same, bit for bit, for each translate: differences of places are not rounded, the order of the
-/// corners is that of their images, and what a translation adds is subtracted from both sides of a comparison.
+/// What is computed is the same, bit for bit, for each translate: differences of places are not rounded, the order of
+/// the corners is that of their images, and what a translation adds is subtracted from both sides of a comparison.
 template <int d>
 bool Periodic_builder<d>::has_centre_at_home(const Lattice<d>& lattice,
                                              std::array<Index, static_cast<std::size_t>(d + 1)> copies) const {
