@@ -18,7 +18,7 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr double first_collar[] = {0, 0, 1.7, 1.6};  // by dimension, in mean spacings
+constexpr double first_collar[] = {0, 0, 2.0, 1.5};  // by dimension, in mean spacings
 constexpr double wider = 1.4;
 
 /// The mean distance of neighbours, roughly. In a box that is thinner than that, points are spread over its other
