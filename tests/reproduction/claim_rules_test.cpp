@@ -77,6 +77,10 @@ TEST_CASE("A claim agrees where the whole interval meets it, and is open where a
     CHECK(every({agrees, open}) == open);
     CHECK(every({differs, open}) == differs);
     CHECK(every({}) == open);
+    CHECK(above_one({1.03, 2}) == agrees);
+    CHECK(above_one({1.02, 2}) == open);
+    CHECK(above_one({0.98}) == open);
+    CHECK(above_one({0.97, 1.02, 2}) == differs);
     const Measured x = scattered({1, 2, 3});
     CHECK(x.low == Approx(1));
     CHECK(x.high == Approx(3));
@@ -120,6 +124,14 @@ TEST_CASE("What is twice a bound goes further; any other number differs where fa
     CHECK(relocation(3.7) == agrees);
     CHECK(relocation(7.9) == agrees);
     CHECK(relocation(8.1) == further);
+    const auto slower = [&](double than_rebuilding) {
+        return starting(run("lloyd-x2", {{"rebuild", 1}, {"relocate-cgal", than_rebuilding}}),
+                        "When all points move, reloc")
+            .verdict;
+    };
+    CHECK(slower(1.05) == agrees);
+    CHECK(slower(1.01) == open);
+    CHECK(slower(0.9) == differs);
     CHECK(std::string(claim_rules()).find("any other number differs where more is found") != std::string::npos);
 }
 

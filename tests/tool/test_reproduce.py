@@ -44,6 +44,9 @@ class Reproduce(tool.ToolTest):
             self.assertTrue(text.endswith("</html>\n"), page.name)
             self.assertNotRegex(text, r"\bnan\b|\binf\b", page.name)
             self.assertIn("A quick run:", text, page.name)
+            # By what and when it was made stands below what was found.
+            self.assertRegex(text, r'(?s)\A.*?<p class="finding">.*?<p>(Made by )?annulus \d+\.\d+\.\d+, '
+                             r"\d\d? [A-Z][a-z]+ 20\d\d, ", page.name)
             self.assertEqual("Least dihedral angle of a tetrahedron:" in text,
                              page.name in ("figure-8.html", "figure-9.html"), page.name)
             for target in re.findall(r'href="([^"]*)"', text):
@@ -109,11 +112,17 @@ class Reproduce(tool.ToolTest):
         counts = ", ".join(f"{[r['verdict'] for r in rows].count(v)} {w}" for v, w in words.items())
         self.assertIn(f'<p class="finding">Of {len(rows)} claims of the paper {counts}.</p>', index)
         self.assertIn("Verdicts follow from numbers by one rule.", index)
+        styles = {re.search(r"(?s)<style>(.*?)</style>", page.read_text(encoding="utf-8"))[1]
+                  for page in folder.glob("*.html")}
+        self.assertEqual([style.count("{") - style.count("}") for style in styles], [0])  # one, and whole
         for page in sorted(folder.glob("*.html")):
             with self.subTest(page=page.name):
                 text = page.read_text(encoding="utf-8")
                 begin = text.partition("</h1>\n")[2]
-                self.assertRegex(begin, r'\A(<p class="command">.*</p>\n)?<p class="finding">')
+                self.assertRegex(begin, r'\A(<p class="command">.*</p>\n)?(<p class="finding">.*</p>\n)+')
+                # A page is opened alone: each says of which run its numbers are.
+                self.assertIn("a run of 25 November 2026 (commit 6b191a48), older than this version of annulus",
+                              begin.partition("<h2>")[0])
                 here = [(r["claim"], r["verdict"]) for r in rows if r["figure"] == page.stem]
                 found = re.findall(r"<li>(.*?) <strong>(.*?)</strong></li>", text)
                 self.assertEqual([(html.unescape(a), b) for a, b in found], here)

@@ -19,6 +19,7 @@
 #include <zlib.h>
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -47,6 +48,17 @@ std::string machine() {
     const std::string compiler = "g++ " __VERSION__;
 #endif
     return processor_name() + ", " + counted(std::thread::hardware_concurrency(), "processor") + ", " + compiler;
+}
+
+/// Today's, in UTC: "29 November 2026".
+std::string date() {
+    static constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",
+                                                        "May",       "June",     "July",     "August",
+                                                        "September", "October",  "November", "December"};
+    const auto now = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
+    const std::chrono::year_month_day day(now);
+    return std::to_string(static_cast<unsigned>(day.day())) + " " + months.at(static_cast<unsigned>(day.month()) - 1) +
+           " " + std::to_string(static_cast<int>(day.year()));
 }
 
 /// The CRC-32 of all surface files.
@@ -96,7 +108,7 @@ int run(Reproduce_call a, const std::string& command) {
     require_writable(a.common);
     const std::vector<Part_plan> plans = reproduction_parts(a.size);
     const Checkpoints parts(partial(a.common.output), description(a));
-    Reproduction reproduction{command, machine(), a.size, {}};
+    Reproduction reproduction{command, machine(), a.size, {}, date()};
     const Interruption_guard guard;
     std::uint64_t steps = 0, before = 0;
     for (const Part_plan& p : plans) steps += p.benchmark.steps;

@@ -25,7 +25,7 @@ a{color:var(--c0)}
 code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;overflow-wrap:anywhere}
 .command{color:var(--soft);margin-bottom:24px}
 .verdict{font-weight:600}.bad{color:var(--bad)}.good{color:var(--good)}
-.numbers{display:grid;grid-template-columns:repeat(auto-fit,minmax(310px,1fr));gap:0 44px;align-items:start}
+.numbers{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,310px),1fr));gap:0 44px;align-items:start}
 .numbers>table:only-child{max-width:560px}
 .scroll{overflow-x:auto;background:linear-gradient(270deg,var(--bg) 30%,transparent) 100% 0/40px 100% local,
 linear-gradient(270deg,var(--rule),transparent) 100% 0/12px 100% scroll;background-repeat:no-repeat}
@@ -79,9 +79,11 @@ stroke-dasharray:none!important}
 .plot .name.c3{fill:var(--c3)}.plot .name.c4{fill:var(--c4)}.plot .name.c5{fill:var(--c5)}.plot .name.c6{fill:var(--c6)}
 @media(max-width:600px){main{padding:24px 14px 40px}h1{font-size:1.35rem}.panels{gap:24px})css"
                                             R"css(.plot .tl,.plot .al{font-size:15px}}
-@media(max-width:600px){.claims,.claims tbody{display:block;min-width:0}.claims thead{display:none}
+@media(max-width:900px){.claims,.claims tbody{display:block;min-width:0}.claims thead{display:none}
 .claims tr{display:flex;flex-direction:column;border-bottom:1px solid var(--rule);padding:9px 0}
-.claims :nth-child(n){width:auto}.claims th,.claims td{border:0;padding:2px 0}.claims td:last-child{order:-1}
+.claims :nth-child(n){width:auto}.claims th,.claims td{border:0;padding:2px 0}.claims th{order:-2}
+.claims td:last-child{display:contents}.claims td>span{order:-1}.claims td>small{order:1}
+.claims td>span::before{content:"Verdict: ";color:var(--soft)}
 .claims td:nth-child(2)::before{content:"The paper: "}.claims td:nth-child(3)::before{content:"Under its algorithm: "}
 .claims td:nth-child(4)::before{content:"Under ours: "}.claims td::before{color:var(--soft)}}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}

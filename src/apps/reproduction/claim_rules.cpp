@@ -35,6 +35,16 @@ Claim_verdict fewer(double before, double after) {
     return agree_if(after < before);
 }
 
+Claim_verdict above_one(const std::vector<double>& ratios) {
+    constexpr double noise = 0.03;
+    std::vector<Claim_verdict> runs;
+    for (const double x : ratios)
+        runs.push_back(x >= 1 + noise   ? Claim_verdict::agrees
+                       : x <= 1 - noise ? Claim_verdict::differs
+                                        : Claim_verdict::open);
+    return every(runs);
+}
+
 Claim_verdict both(Claim_verdict a, Claim_verdict b) { return a == b ? a : Claim_verdict::open; }
 
 Claim_verdict every(const std::vector<Claim_verdict>& parts) {
@@ -54,10 +64,10 @@ const char* claim_rules() {
            "much more. The claim agrees where the whole interval meets it, differs where nothing of it does, and is "
            "open where a part does, where two readings of the paper have different verdicts, or where it was not run. "
            "A claim of every run differs where one run contradicts it, and a claim of several parts where one part "
-           "does. Of a bound, \"up to\" or \"at least\" so much, nine tenths agree, and what is found goes further "
-           "where "
-           "it is twice the bound or more; any other number differs where more is found than what is said beside it. "
-           "A claim is wrong where exact arithmetic refutes it.";
+           "does. Times whose ratio is within 3 % of 1 count as equal, and leave open which is longer. Of a bound, "
+           "\"up to\" or \"at least\" so much, nine tenths agree, and what is found goes further where it is twice the "
+           "bound or more; any other number differs where more is found than what is said beside it. A claim is wrong "
+           "where exact arithmetic refutes it.";
 }
 
 }  // namespace annulus::inline v1

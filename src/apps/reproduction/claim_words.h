@@ -21,7 +21,9 @@ namespace annulus::inline v1 {
     const double p = 100 * share;
     return formatted(p != 0 && std::fabs(p) < 0.1 ? "%.2g %%" : std::fabs(p) < 10 ? "%.1f %%" : "%.0f %%", p);
 }
-[[nodiscard]] inline std::string times(double x) { return formatted(x < 10 ? "%.2g" : "%.0f", x); }
+[[nodiscard]] inline std::string times(double x) {
+    return x < 1000 ? formatted(x < 10 ? "%.2g" : "%.0f", x) : readable(x);
+}
 /// "2.1 to 3.4", or one number.
 [[nodiscard]] inline std::string range(std::vector<double> x, std::string (*word)(double)) {
     if (x.empty()) return "–";

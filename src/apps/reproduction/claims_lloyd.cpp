@@ -63,7 +63,7 @@ void append_speed(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = listed(
                      plane, [](const auto& benchmark) { return speed_up(benchmark, "rebuild", "auto"); }, times) +
                  " (auto)";
-        c.verdict = agree_if(least(of_each(plane, theirs)) > 1);
+        c.verdict = above_one(of_each(plane, theirs));
         c.of_long_runs = true;
     }
     out.push_back(c);
@@ -87,7 +87,7 @@ void append_speed(const Reproduction& r, std::vector<Claim>& out) {
         c.theirs = "a step of the first tenth takes " + range(x, times) + " of the last tenth";
         c.ours = range(of_each(plane, [](const auto& benchmark) { return acceleration(benchmark, "auto"); }), times) +
                  " (auto)";
-        c.verdict = agree_if(least(x) > 1);
+        c.verdict = above_one(x);
     }
     out.push_back(c);
     out.push_back(switch_claim(plane, "figure-7", "in the plane", 0.75));

@@ -173,7 +173,7 @@ void append_mesh_speed_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.theirs = "a step of the first tenth takes, of one of the last, " + listed(space, gain, times);
         c.ours = range(of_each(space, [](const auto& benchmark) { return acceleration(benchmark, "auto"); }), times) +
                  " (auto)";
-        c.verdict = agree_if(least(of_each(space, gain)) > 1);
+        c.verdict = above_one(of_each(space, gain));
     }
     out.push_back(c);
 

@@ -43,7 +43,7 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
                    " in the plane, " + range(of_each(space, early), times) + " and " +
                    range(of_each(space, late), times) + " in space";
         c.ours = "every strategy tests in place first";
-        c.verdict = agree_if(least(of_each(plane, late)) > 1 && least(of_each(space, late)) > 1);
+        c.verdict = every({above_one(of_each(plane, late)), above_one(of_each(space, late))});
         c.reason = "Relocation is timed at some steps, on copies.";
         const auto both = [](const Benchmark_record& benchmark) {
             return speed_up(benchmark, "paper-printed", "paper-in-place");
@@ -51,7 +51,7 @@ void append_in_place(const Reproduction& r, std::vector<Claim>& out) {
         f.theirs = "the filter with it is " + range(of_each(plane, both), times) +
                    " times as fast as without in the plane, " + range(of_each(space, both), times) + " times in space";
         f.ours = "as above";
-        f.verdict = agree_if(least(of_each(plane, both)) > 1 && least(of_each(space, both)) > 1);
+        f.verdict = every({above_one(of_each(plane, both)), above_one(of_each(space, both))});
         f.reason = "Of the moves whose tolerance failed most change no cell.";
     }
     out.push_back(c);
@@ -82,8 +82,8 @@ void append_movers(const Reproduction& r, std::vector<Claim>& out) {
         c.theirs = "with 1, 10 and 100 % moving, CGAL's relocation takes " + words("relocate-cgal") +
                    "; the library's " + words("relocate") + "; the filter " + words("paper-printed");
         c.ours = "tolerances-each " + words("tolerances-each") + "; auto " + words("auto");
-        c.verdict =
-            agree_if(most(of_each(some, cost("relocate-cgal"))) < 1 && least(of_each(all, cost("relocate-cgal"))) > 1);
+        const auto gain = [](const Benchmark_record& x) { return speed_up(x, "rebuild", "relocate-cgal"); };
+        c.verdict = every({above_one(of_each(some, gain)), above_one(of_each(all, cost("relocate-cgal")))});
         c.reason = "Random points, moves of a twentieth of a spacing, so that most of them leave their tolerance.";
     }
     out.push_back(c);
@@ -135,7 +135,7 @@ void append_relocation_claims(const Reproduction& r, std::vector<Claim>& out) {
         c.ours = "auto takes " +
                  range(of_each(all, [](const auto& x) { return share(1, speed_up(x, "rebuild", "auto")); }), times) +
                  " rebuilds";
-        c.verdict = agree_if(least(of_each(all, slower)) > 1);
+        c.verdict = above_one(of_each(all, slower));
     }
     out.push_back(c);
 

@@ -32,10 +32,16 @@ std::string warning_of(const Reproduction_size& size) {
                       : "";
 }
 
-std::string page_html(const Page_content& page, const std::vector<Claim>& claims, const Reproduction_size& size) {
+/// By what the pages were made, when and where. HTML.
+std::string origin_of(const Reproduction& r) {
+    return "annulus " ANNULUS_VERSION_STRING ", " + (r.date.empty() ? "" : escaped(r.date) + ", ") +
+           escaped(r.machine) + ".";
+}
+
+std::string page_html(const Page_content& page, const std::vector<Claim>& claims, const Reproduction& r) {
     std::string out = page_head(page.title, "");
     append_findings(out, findings_of_page(page.name, claims));
-    out += warning_of(size);
+    out += "<p>Made by " + origin_of(r) + "</p>\n" + warning_of(r.size);
     out += "<p>" + link("index.html", "All claims") + "</p>\n<p>" + escaped(page.about) + "</p>\n";
     if (page.sections.empty()) out += "<p class=\"verdict\">Nothing was run for it.</p>\n";
     for (const auto& [heading, panels] : page.sections) {
@@ -110,7 +116,7 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
         least_load = std::min(least_load, benchmark.load);
         most_load = std::max(most_load, benchmark.load);
     }
-    out += "<p>annulus " ANNULUS_VERSION_STRING ", " + escaped(r.machine) + ". " + grouped(r.benchmarks.size()) +
+    out += "<p>" + origin_of(r) + " " + grouped(r.benchmarks.size()) +
            (r.benchmarks.size() == 1 ? " run, " : " runs, ") + duration(seconds) + " by the clock; ";
     out += "load of the machine at the end of each " + range({least_load, most_load}, readable) +
            ". Seconds on these pages are those of one thread's processor, and strategies take turns, so that others "
@@ -146,11 +152,9 @@ std::string index_html(const Reproduction& r, const std::vector<Claim>& claims,
 }
 
 nlohmann::ordered_json json_of(const Reproduction& r, const std::vector<Claim>& claims) {
-    nlohmann::ordered_json out{{"command", r.command},
-                               {"version", ANNULUS_VERSION_STRING},
-                               {"machine", r.machine},
-                               {"quick", r.size.quick},
-                               {"seed", r.size.seed}};
+    nlohmann::ordered_json out{{"command", r.command},  {"version", ANNULUS_VERSION_STRING},
+                               {"machine", r.machine},  {"date", r.date},
+                               {"quick", r.size.quick}, {"seed", r.size.seed}};
     for (const Claim& c : claims)
         out["claims"].push_back({{"figure", c.figure},
                                  {"statement", c.statement},
@@ -231,7 +235,7 @@ std::vector<Result_file> reproduction_files(const Reproduction& r) {
         table.rows.push_back({c.figure, c.statement, c.paper, c.theirs, c.ours, name_of(c.verdict), c.reason});
     out.push_back({"claims.csv", write_csv(table)});
     for (const Page_content& page : pages) {
-        out.push_back({page.name + ".html", page_html(page, claims, r.size)});
+        out.push_back({page.name + ".html", page_html(page, claims, r)});
         for (const auto& [name, content] : page.tables) out.push_back({name, write_csv(content)});
     }
     return out;

@@ -16,6 +16,7 @@ struct Reproduction {
     std::string machine;  ///< processor and compiler, for display
     Reproduction_size size;
     std::map<std::string, Benchmark_record> benchmarks;  ///< by name
+    std::string date{};                                  ///< of the pages, for display: "29 November 2026"
 
     /// Null if it was not requested, or could not be made.
     [[nodiscard]] const Benchmark_record* benchmark(const std::string& name) const {
