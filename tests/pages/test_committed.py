@@ -10,7 +10,8 @@ Needs chromium and python3-websocket (tools/setup --deep). Ends with 77 where th
 
 import unittest
 
-from test_pages import CLASHES, ROOT, BrowserTest, Page
+from page_scripts import CLAIMS, CLASHES, DOTS, TABLES
+from test_pages import ROOT, BrowserTest, Page
 
 PAGES = sorted(ROOT.glob("docs/**/*.html"))
 FIGURES = sorted(ROOT.glob("docs/degeneracy/*.svg"))
@@ -45,6 +46,7 @@ class Committed(BrowserTest):
             self.assertEqual(page.evaluate(BROKEN), [])
             for name in page.evaluate(NAMED):
                 self.assertTrue((path.parent / name.split("#")[0]).exists(), f"leads nowhere: {name}")
+            self.assertEqual(page.evaluate(DOTS), [])
         finally:
             page.close()
 
@@ -53,6 +55,16 @@ class Committed(BrowserTest):
         for path in PAGES:
             with self.subTest(page=path.name):
                 self.look(path)
+
+    def test_narrow(self):
+        for path in PAGES:
+            with self.subTest(page=path.name):
+                page = Page(self.browser, path, width=400)
+                try:
+                    self.assertEqual(page.evaluate(TABLES), [])
+                    self.assertEqual(page.evaluate(CLAIMS), [])
+                finally:
+                    page.close()
 
     def test_figures(self):
         self.assertGreater(len(FIGURES), 0)

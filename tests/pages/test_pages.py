@@ -24,65 +24,11 @@ try:
 except ImportError as missing:
     print(f"tests/pages: {missing}; install python3-websocket (tools/setup --deep)")
     sys.exit(77)
+from page_scripts import BEGINS, CLAIMS, CLASHES, COLOURS, CONTRAST, DOTS, TABLES
 from pages import KINDS
 
 ROOT = Path(__file__).resolve().parents[2]
 SIZES = {"wide": {}, "dark": {"dark": True}, "narrow": {"width": 360, "height": 700}}
-
-# Texts of plots that extend beyond their drawing, or overlap another text of it.
-CLASHES = """(() => {
-  const found = [];
-  for (const svg of document.querySelectorAll('svg.plot')) {
-    const frame = svg.getBoundingClientRect();
-    const texts = [...svg.querySelectorAll('text')].map(t => [t, t.getBoundingClientRect()]);
-    for (const [t, r] of texts)
-      if (r.left < frame.left - 1 || r.right > frame.right + 1 || r.top < frame.top - 1 || r.bottom > frame.bottom + 1)
-        found.push('cut: ' + t.textContent + ' in ' + svg.getAttribute('aria-label'));
-    for (const [i, [t, r]] of texts.entries())
-      for (const [u, q] of texts.slice(i + 1))
-        if (Math.min(r.right, q.right) - Math.max(r.left, q.left) > 2 &&
-            Math.min(r.bottom, q.bottom) - Math.max(r.top, q.top) > 5)
-          found.push(t.textContent + ' upon ' + u.textContent + ' in ' + svg.getAttribute('aria-label'));
-  }
-  return found;
-})()"""
-
-# Whether the finding comes first, with the numbers of the run below every picture.
-BEGINS = """(() => {
-  const first = document.querySelector('main > :not(h1):not(.command):not(.verdict)');
-  const numbers = [...document.querySelectorAll('.numbers')].pop();
-  const pictures = [...document.querySelectorAll('svg.plot,svg.mesh')];
-  return first.matches('p.finding') &&
-    pictures.every(p => !numbers || p.compareDocumentPosition(numbers) & Node.DOCUMENT_POSITION_FOLLOWING); })()"""
-
-# Colours of each legend that are equal, and colours of faces that no legend has.
-COLOURS = """(() => {
-  const fill = e => getComputedStyle(e).fill, found = [], known = new Set();
-  for (const keys of document.querySelectorAll('.keys')) {
-    const fills = [...keys.querySelectorAll('.face')].map(fill);
-    if (fills.length < 5 || new Set(fills).size !== fills.length) found.push('legend: ' + fills);
-    fills.forEach(f => known.add(f));
-  }
-  for (const face of document.querySelectorAll('.face')) if (!known.has(fill(face))) found.push(face.outerHTML);
-  return found; })()"""
-
-# Contrast of every text with the page, as WCAG 2 computes it: the least, and whose.
-CONTRAST = """(() => {
-  const light = c => {
-    const [r, g, b] = c.match(/[\\d.]+/g).map(v => v / 255)
-      .map(v => v <= .03928 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4);
-    return .2126 * r + .7152 * g + .0722 * b; };
-  const ground = light(getComputedStyle(document.body).backgroundColor);
-  let least = [99, ''];
-  for (const e of document.querySelectorAll('h1,h2,h3,p,th,td,small,figcaption,code,text,button,output,label')) {
-    if (!e.textContent.trim()) continue;
-    const style = getComputedStyle(e);
-    const own = light(e.tagName === 'text' ? style.fill : style.color);
-    const ratio = (Math.max(own, ground) + .05) / (Math.min(own, ground) + .05);
-    if (ratio < least[0]) least = [ratio, e.textContent];
-  }
-  return least;
-})()"""
 
 
 class Pages(BrowserTest):
@@ -193,6 +139,30 @@ class Pages(BrowserTest):
         pieces = page.evaluate("""[...document.querySelectorAll('svg[aria-label="Cells by width"] path.curve')]
             .map(c => c.getAttribute('d').match(/M/g).length)""")
         self.assertGreater(max(pieces), 1)
+
+    def test_wide_tables_scroll_in_their_box(self):
+        for kind in KINDS:
+            with self.subTest(kind=kind.name):
+                for width in (1280, 700, 400, 320):
+                    self.assertEqual(self.open(kind.name, width=width).evaluate(TABLES), [], width)
+
+    def test_a_claim_comes_before_its_reason(self):
+        self.assertGreater(self.open("reproduce").evaluate("document.querySelectorAll('.claims tbody tr').length"), 40)
+        for width in (400, 700):
+            self.assertEqual(self.open("reproduce", width=width).evaluate(CLAIMS), [], width)
+
+    def test_no_plot_has_a_dot_alone(self):
+        for kind in KINDS:
+            with self.subTest(kind=kind.name):
+                self.assertEqual(self.open(kind.name).evaluate(DOTS), [])
+
+    def test_pages_of_runs_say_what_their_words_mean(self):
+        for kind in KINDS:
+            if kind.page == "report.html":
+                with self.subTest(kind=kind.name):
+                    last = self.open(kind.name).evaluate("[...document.querySelectorAll('h2')].map(h => h.textContent)"
+                                                         ".filter(h => h !== 'Notes').pop()")
+                    self.assertEqual(last, "Terms")
 
     def test_without_scripts(self):
         """Everything except sliders and sorting works, and nothing looks like a button."""

@@ -44,6 +44,7 @@ TEST_CASE("A finding says how far points moved, and what that took", "[report]")
 
 TEST_CASE("Moves are within tolerance or beyond it only where that was tested", "[report]") {
     Run_record run = two_steps();
+    run.tolerance = "certified";
     run.steps[0].tested_tolerances = false;
     run.steps[0].moves.within_tolerance = 5;  // at rest
     CHECK(contains(joined(findings(run)),

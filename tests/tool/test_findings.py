@@ -4,6 +4,7 @@
 [CLASS[.METHOD]...]"""
 
 import html
+import json
 import math
 import random
 import re
@@ -74,6 +75,34 @@ class Findings(tool.ToolTest):
             text = self.page("lloyd", "--points", 50, "--radius", radius, "--iterations", 3)
             self.assertNotRegex(text.split("<script>")[0], r"(?i)\b(nan|inf)\b")
             self.assertIn("six neighbours at the end", text)
+
+    def test_the_mean_spacing_is_of_what_the_page_says(self):
+        places = [(x, 2 * y) for x in range(4) for y in range(5)]
+        box = 'Lattice="8 0 0 0 20 0 0 0 1" Properties=species:S:1:pos:R:3 pbc="T T F"'
+        for words, length, said in (
+                (["lloyd", "--points", 50, "--domain", "square", "--radius", 3, "--iterations", 1],
+                 math.sqrt(36 / 50), "square root of the area of the domain per vertex"),
+                (["lloyd", "--points", 50, "--domain", "box", "--size", "1,2,3", "--iterations", 1],
+                 (6 / 50) ** (1 / 3), "cube root of the volume of the domain per vertex"),
+                (["lloyd", "--points", 50, "--box", "1,2", "--iterations", 1],
+                 math.sqrt(2 / 50), "square root of the area of the periodic box per vertex"),
+                (["replay", self.lattice("open.xyz", places)],
+                 math.sqrt(3 * 8 / 20), "square root of the area of the bounding box of the points in the first frame"),
+                (["replay", self.lattice("box.xyz", places, box)],
+                 math.sqrt(8 * 20 / 20), "square root of the area of the periodic box in the first frame, per point")):
+            with self.subTest(words=words):
+                page = self.page(*words)
+                self.assertIn("Mean spacing, the unit of lengths: the " + said, page)
+                summary = json.loads((self.here / "out" / "summary.json").read_text(encoding="utf-8"))
+                self.assertAlmostEqual(summary["mean_spacing"], length, delta=1e-12)
+
+    def test_inner_vertices_are_not_on_the_hull(self):
+        """Those in the middle of its edges are on it."""
+        page = self.page("replay", self.lattice("h.xyz", [(x, y) for x in range(6) for y in range(6)]))
+        self.assertIn("those that are not on the convex hull", page)
+        self.assertIn("</svg>unbounded</span>", page)
+        white = re.findall(r'class="face n5" stroke-width="\d+" d="([^"]*)"', page)
+        self.assertEqual([d.count("M") for d in white], [20, 20])
 
     def test_one_and_two_points(self):
         for places in ([(0, 0)], [(0, 0), (1, 0)], [(0, 0), (1, 0), (2, 0)]):

@@ -17,6 +17,7 @@
 #include <apps/formats/input_error.h>
 #include <apps/motion/boxed_points.h>
 #include <apps/motion/periodic_lloyd.h>
+#include <apps/report/axis_ticks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +154,7 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
     tracker.input(boxed_input<d>(scene));
     const Run_record& record = tracker.record();
     if (auto last =
-            files && record.iterations > 0 ? view("after " + counted(record.iterations, "iteration")) : std::nullopt) {
+            files && record.iterations > 0 ? view("after " + grouped(record.iterations, "iteration")) : std::nullopt) {
         tracker.plane_after(last->measures);
         page.voronoi.push_back(std::move(last->cells));
     }

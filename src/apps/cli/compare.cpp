@@ -11,6 +11,7 @@
 #include <apps/formats/input_error.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_json.h>
+#include <apps/report/axis_ticks.h>
 #include <apps/report/finding.h>
 #include <apps/report/summary.h>
 
@@ -68,7 +69,7 @@ void write_comparison(const Common_arguments& arguments, const Guided_motion<Mov
     report.before = std::move(before);
     if (const std::uint64_t n = shown.record().iterations; n > 0)
         report.after = motion.picture(shown.triangulation(),
-                                      motion.replayed() ? "The last frame" : "After " + counted(n, "iteration"));
+                                      motion.replayed() ? "The last frame" : "After " + grouped(n, "iteration"));
     report.annulus_widths = shown.widths();
     report.comparison = comparison;
     Result_files out(arguments, is_result, comparison.interrupted);

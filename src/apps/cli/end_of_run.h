@@ -4,7 +4,7 @@
 #include <apps/cli/commands.h>
 #include <apps/cli/files.h>
 #include <apps/cli/mesh_3.h>
-#include <apps/formats/input_error.h>
+#include <apps/report/axis_ticks.h>
 
 #include <cstdio>
 #include <string>
@@ -35,7 +35,7 @@ template <class Moving>
 void picture_end(const Run_tracker<Moving>& tracker, Run_page<Moving>& page) {
     const std::uint64_t n = tracker.record().iterations;
     if (n == 0) return;
-    page.after = picture_of(tracker.triangulation(), "After " + counted(n, "iteration"), page.cut);
+    page.after = picture_of(tracker.triangulation(), "After " + grouped(n, "iteration"), page.cut);
     if (page.before) page.after->outline = page.before->outline;
 }
 
@@ -46,7 +46,7 @@ int end_lloyd(const Common_arguments& common, const Run_tracker<Moving>& tracker
               std::uint64_t merged, Frame_files<Moving>& frames, const std::string& cells_note, Run_page<Moving> page) {
     if (!common.output.empty()) {
         picture_end(tracker, page);
-        if (merged > 0) page.notes.push_back(counted(merged, "duplicate point") + " of the input merged.");
+        if (merged > 0) page.notes.push_back(grouped(merged, "duplicate point") + " of the input merged.");
         page.figures = frame_figures(frames.records(), tracker.record(), false, cells_note);
         page.frames = &frames;
         write_run(common, tracker, std::move(page));

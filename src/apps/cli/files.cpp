@@ -81,7 +81,7 @@ std::string steps_of(const Run_record& run, const std::string& step) {
 
 std::string title_of(const Run_record& run, const std::string& step, const std::string& names) {
     return grouped(run.vertices) + (run.vertices == 1 ? " vertex, " : " vertices, ") +
-           (run.replayed ? counted(run.iterations + 1, "frame") : steps_of(run, step)) + ": " + names;
+           (run.replayed ? grouped(run.iterations + 1, "frame") : steps_of(run, step)) + ": " + names;
 }
 
 template <class Moving>

@@ -6,6 +6,7 @@
 #include <apps/cli/progress.h>
 #include <apps/formats/input_error.h>
 #include <apps/motion/vectors_3.h>
+#include <apps/report/axis_ticks.h>
 
 #include <algorithm>
 #include <optional>
@@ -66,8 +67,8 @@ Finishing::Finishing(const Nodt_scene& scene, const Moving_mesh_3& optimised, bo
 }
 
 std::string Finishing::note() const {
-    return "The last step is --finish: " + counted(counts_.kept, "small move") + " of corners of the worst cells, of " +
-           counted(counts_.tried, "move") + " tried.";
+    return "The last step is --finish: " + grouped(counts_.kept, "small move") + " of corners of the worst cells, of " +
+           grouped(counts_.tried, "move") + " tried.";
 }
 
 }  // namespace annulus::inline v1::cli

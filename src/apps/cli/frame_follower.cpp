@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/frame_follower.h>
+#include <apps/report/axis_ticks.h>
 
 #include <annulus/error.h>
 
@@ -11,8 +12,8 @@
 namespace annulus::inline v1::cli {
 
 std::string Traffic::in_words() const {
-    std::string text = counted(arrived, "point") + " appeared, " + std::to_string(left) + " disappeared";
-    if (merged > 0) text += ", " + std::to_string(merged) + " merged with others at their place";
+    std::string text = grouped(arrived, "point") + " appeared, " + grouped(left) + " disappeared";
+    if (merged > 0) text += ", " + grouped(merged) + " merged with others at their place";
     return text + ".";
 }
 

@@ -13,6 +13,7 @@
 #include <apps/cli/tracker.h>
 #include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
+#include <apps/report/axis_ticks.h>
 
 #include <cstdio>
 #include <memory>
@@ -83,7 +84,7 @@ int run(const Lloyd_call& a, const std::string& command) {
     tracker.finish(command, a.common.seed, since(begin));
     tracker.input(scene.input);
     if (viewed && tracker.record().iterations > 0) {
-        Plane_view last = view("after " + counted(tracker.record().iterations, "iteration"));
+        Plane_view last = view("after " + grouped(tracker.record().iterations, "iteration"));
         tracker.plane_after(last.measures);
         page.voronoi.push_back(std::move(last.cells));
     }

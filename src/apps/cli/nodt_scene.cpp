@@ -10,6 +10,7 @@
 #include <apps/motion/initial_mesh_3.h>
 #include <apps/motion/surface_3.h>
 #include <apps/motion/tetrahedral_faults.h>
+#include <apps/report/axis_ticks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +53,14 @@ Triangle_surface surface_from(const Nodt_arguments& a, std::vector<std::string>&
         try {
             Triangle_surface surface = surface_of(image);
             notes.push_back("The domain is what is labelled in the image, averaged in blocks: a surface of " +
-                            counted(surface.triangles.size(), "triangle") + ".");
+                            grouped(surface.triangles.size(), "triangle") + ".");
             return surface;
         } catch (const Error& e) {
             throw Input_error(Error_code::bad_input, a.surface, 0, e.what(), "labels other than 0");
         }
     }
     Surface_file file = read_surface(a.surface);
-    if (file.merged > 0) notes.push_back(counted(file.merged, "duplicate point") + " of the surface merged.");
+    if (file.merged > 0) notes.push_back(grouped(file.merged, "duplicate point") + " of the surface merged.");
     return std::move(file.surface);
 }
 
@@ -71,8 +72,8 @@ std::shared_ptr<const Feature_curves> features_of(const Nodt_arguments& a, const
                                                   std::vector<std::string>& notes) {
     if (!a.sharp) return nullptr;
     auto features = std::make_shared<const Feature_curves>(surface, *a.sharp);
-    notes.push_back("Sharp edges are kept: " + counted(features->curves().size(), "curve") + ", " +
-                    counted(features->corners().size(), "corner") + ".");
+    notes.push_back("Sharp edges are kept: " + grouped(features->curves().size(), "curve") + ", " +
+                    grouped(features->corners().size(), "corner") + ".");
     return features;
 }
 
@@ -99,9 +100,9 @@ Nodt_scene refined_scene(const Nodt_arguments& a, std::uint64_t seed) {
 Nodt_scene read_scene(const Nodt_arguments& a) {
     Tetrahedra_file mesh = read_tetrahedra(a.mesh);
     std::vector<std::string> notes;
-    if (mesh.merged > 0) notes.push_back(counted(mesh.merged, "duplicate point") + " of the mesh merged.");
+    if (mesh.merged > 0) notes.push_back(grouped(mesh.merged, "duplicate point") + " of the mesh merged.");
     if (mesh.unused > 0)
-        notes.push_back(counted(mesh.unused, "point") + " of the mesh without a tetrahedron left out.");
+        notes.push_back(grouped(mesh.unused, "point") + " of the mesh without a tetrahedron left out.");
     if (mesh.turned) notes.push_back("All tetrahedra of the mesh were negative.");
     const Triangle_surface surface = mesh.surface();
     auto domain = std::make_unique<Surface_3>(surface, true);  // read_tetrahedra has checked for crossings

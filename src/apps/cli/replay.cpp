@@ -12,6 +12,7 @@
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
 #include <apps/formats/formatted.h>
+#include <apps/report/axis_ticks.h>
 
 #include <cstdio>
 #include <memory>
@@ -120,7 +121,7 @@ class Replay {
     void note_frame() {
         if (!files_) return;
         files_->frame(frame_.number);
-        caption_ = "Frame " + std::to_string(frame_.number);
+        caption_ = "Frame " + grouped(frame_.number);
         const std::uint64_t step = tracker_.record().iterations;
         if (page_.film.includes(step)) page_.film.add(step, picture_of(tracker_.triangulation(), caption_, page_.cut));
     }

@@ -4,7 +4,7 @@
 #include <apps/experiment/sweep_plots.h>
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
-#include <apps/report/degeneracy_terms.h>
+#include <apps/report/certificate_terms.h>
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 
@@ -122,7 +122,8 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     append_row(out, "seed of the sweep, from which each trial has its own", std::to_string(spec.seed));
     out += "</table></div>\n";
     const auto has = [&sum](int dimension, bool periodic) { return sum.contains({dimension, periodic}); };
-    append_terms(out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !has(2, false) && !has(3, false)});
+    append_degeneracy_terms(
+        out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !has(2, false) && !has(3, false)});
     return out + page_foot();
 }
 

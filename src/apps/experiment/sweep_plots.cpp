@@ -207,7 +207,7 @@ void append_distributions(std::string& out, const std::vector<Sweep_row>& all, c
         if (!plot.series.empty()) plots.push_back(std::move(plot));
     }
     if (rows.size() < all.size()) {
-        caption += " There is room for " + std::to_string(rows.size()) + " of " + std::to_string(all.size()) +
+        caption += " There is room for " + grouped(rows.size()) + " of " + grouped(all.size()) +
                    " rows of the table; spread evenly over it, these are shown:";
         for (const Sweep_row& row : rows) caption += " " + std::to_string(row.number);
         caption += "; sums.json has all. A curve is named by what its row has and not all of these have.";

@@ -174,4 +174,8 @@ std::string grouped(std::uint64_t value) {
     return out;
 }
 
+std::string grouped(std::uint64_t value, std::string_view noun) {
+    return grouped(value) + " " + std::string(noun) + (value == 1 ? "" : "s");
+}
+
 }  // namespace annulus::inline v1

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -46,5 +47,7 @@ class Axis_range {
 
 /// An integer with its thousands grouped: 1,234,567.
 [[nodiscard]] std::string grouped(std::uint64_t value);
+/// "1,234 frames", "1 frame".
+[[nodiscard]] std::string grouped(std::uint64_t value, std::string_view noun);
 
 }  // namespace annulus::inline v1

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
+#include <apps/report/certificate_terms.h>
 #include <apps/report/cumulative_curve.h>
 #include <apps/report/degeneracy_report.h>
-#include <apps/report/degeneracy_terms.h>
 #include <apps/report/page.h>
 #include <apps/report/table.h>
 
@@ -271,7 +271,7 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     append_quantiles(out, d);
     append_stages(out, d);
     append_numbers(out, r);
-    append_terms(out, {d.dimension == 2, d.dimension == 3, d.periodic});
+    append_degeneracy_terms(out, {d.dimension == 2, d.dimension == 3, d.periodic});
     return out + page_foot();
 }
 

@@ -5,7 +5,34 @@
 #include <apps/report/report_style.h>
 #include <apps/report/table.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 namespace annulus::inline v1 {
+
+namespace {
+
+/// "iteration 3", or of an axis that counts "frames after the first" "3 frames after the first".
+std::string at_place(const std::string& axis, double place) {
+    const std::string number = readable(place);
+    if (!axis.starts_with("frames ")) return axis.substr(0, axis.find(',')) + " " + number;
+    return number + (place == 1 ? " frame " : " frames ") + axis.substr(axis.find(' ') + 1);
+}
+
+/// The x of all points of the curves of a plot, if it is one, and no bar.
+std::optional<double> only_place(const Plot& plot) {
+    std::optional<double> place;
+    for (const Series& s : plot.series)
+        for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+            if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
+            if (s.steps || (place && *place != s.x[i])) return std::nullopt;
+            place = s.x[i];
+        }
+    return place;
+}
+
+}  // namespace
 
 std::string page_head(const std::string& title, const std::string& command) {
     std::string out =
@@ -59,11 +86,26 @@ void append_figure(std::string& out, const std::string& heading, const std::stri
     out += "</figure>\n";
 }
 
+std::string plot_html(const Plot& plot) {
+    const std::optional<double> place = only_place(plot);
+    if (!place) return svg_plot(plot);
+    std::string text = plot.y.label + ", " + at_place(plot.x.label, *place) + ":", separator = " ";
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    for (const Series& s : plot.series)
+        for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
+            if (!std::isfinite(s.x[i]) || !std::isfinite(s.y[i])) continue;
+            text += separator + (s.name.empty() ? "" : s.name + " ") + readable(s.y[i]);
+            if (i < s.error.size() && s.error[i] > 0) text += " ± " + readable(s.error[i]);
+            separator = ", ";
+        }
+    return "<p>" + escaped(text) + ".</p>";
+}
+
 void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
                   const std::string& caption) {
     if (plots.empty()) return;
     out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
-    for (const Plot& plot : plots) append_figure(out, plot.title, svg_plot(plot), "");
+    for (const Plot& plot : plots) append_figure(out, plot.title, plot_html(plot), "");
     out += "</div>\n";
     if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
 }

@@ -31,6 +31,8 @@ void append_box(std::string& out, const std::string& from, const std::vector<std
                 std::string_view when);
 /// `caption` is HTML.
 void append_figure(std::string& out, const std::string& heading, const std::string& svg, const std::string& caption);
+/// The plot as SVG, or, where all its curves have one place, and the same, a sentence with their values. HTML.
+[[nodiscard]] std::string plot_html(const Plot& plot);
 /// Plots side by side under a heading; nothing where there are none.
 void append_plots(std::string& out, const std::string& heading, const std::vector<Plot>& plots,
                   const std::string& caption);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/formats/markup.h>
+#include <apps/report/audit_words.h>
 #include <apps/report/axis_ticks.h>
+#include <apps/report/comparison_html.h>
 #include <apps/report/face_limits.h>
 #include <apps/report/finding.h>
 #include <apps/report/page.h>
 #include <apps/report/report.h>
 #include <apps/report/report_plots.h>
+#include <apps/report/run_terms.h>
 #include <apps/report/summary.h>
-#include <apps/report/table.h>
-
-#include <algorithm>
 
 namespace annulus::inline v1 {
 
@@ -19,13 +19,6 @@ std::string memory(std::uint64_t bytes) {
     if (bytes == 0) return "unknown";
     const double value = static_cast<double>(bytes);
     return value < 1e9 ? readable(value / 1e6) + " MB" : readable(value / 1e9) + " GB";
-}
-
-std::string audit(const Audit_record& record) {
-    if (record.checked == 0) return "none";
-    const std::string checked = grouped(record.checked) + " checked, ";
-    return checked + (record.failed == 0 ? "<span class=\"good\">none failed</span>"
-                                         : "<span class=\"bad\">" + grouped(record.failed) + " failed</span>");
 }
 
 /// `of` is ": NAME" where a page is about several strategies, whose processor and memory are shared.
@@ -52,7 +45,7 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     const std::string all = of.empty() ? "" : " of all strategies";
     append_row(out, "total time" + all, duration(run.seconds.total));
     append_row(out, "peak memory" + all, memory(run.memory_peak_bytes));
-    append_row(out, "audits", audit(run.audit));
+    append_row(out, "audits", in_words(run.audit));
     if (run.input.box.empty()) {  // in a periodic box they are not counted
         const std::uint64_t decisions = run.arithmetic.total();
         append_row(out, "certificates decided", grouped(decisions));
@@ -64,16 +57,18 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     const Moves_record& moves = run.moves;
     append_row(out, "moves asked for", grouped(moves.asked));
     const std::uint64_t tested = tested_moves(run).steps;
-    append_row(out, tested == 0 ? "at rest" : "within tolerance, or at rest",
-               with_share(moves.within_tolerance, moves.asked));
+    // Where tests were given up, those that had passed are counted, too.
+    if (!has_tolerances(run)) append_row(out, "at rest", with_share(moves.within_tolerance, moves.asked));
+    else if (tested > 0 || moves.within_tolerance > 0)
+        append_row(out, "within tolerance, or at rest", with_share(moves.within_tolerance, moves.asked));
     append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
     append_row(out, "flipped", with_share(moves.flipped, moves.asked));
     append_row(out, "reinserted", with_share(moves.reinserted, moves.asked));
     append_row(out, "rebuilt", with_share(moves.rebuilt, moves.asked));
-    if (tested > 0)
+    if (has_tolerances(run) && !run.steps.empty())
         append_row(out,
                    std::string(step_word(run)) + (run.finished ? "s, or finish," : "s") + " that tested tolerances",
-                   with_share(tested, run.steps.size()));
+                   tested > 0 ? with_share(tested, run.steps.size()) : "none");
     out += "</table></div>\n";
 }
 
@@ -125,10 +120,7 @@ void append_pictures(std::string& out, const Report& report) {
 void append_cells(std::string& out, const Report& report) {
     if (report.voronoi.empty()) return;
     out += "<h2>Voronoi cells by number of neighbours</h2>\n" +
-           legend_of(Shading::neighbours, !report.run.input.box.empty() ? ""
-                                          : report.run.clip             ? "cut by the clip"
-                                                                        : "at the border") +
-           "<div class=\"panels\">\n";
+           legend_of(Shading::neighbours, white_cells(report.run)) + "<div class=\"panels\">\n";
     std::vector<const Picture*> pictures;
     for (const Picture& picture : report.voronoi) pictures.push_back(&picture);
     const Window window = common_window(pictures, most_faces, faces_in_window);
@@ -136,22 +128,16 @@ void append_cells(std::string& out, const Report& report) {
         append_picture(out, picture, window, escaped(picture.caption),
                        [](std::size_t n, Dots) { return grouped(n) + (n == 1 ? " cell" : " cells"); });
     out += "</div>\n";
+    const std::string caption = cells_caption(report.run);
+    if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
 }
 
-std::string plane_caption(const Run_record& run) {
+std::string regularity_caption(const Run_record& run) {
     if (!run.plane_before) return "The cells of Lloyd's iterations: where all volumes are equal, the deviation is 0.";
-    return std::string(run.input.box.empty()
-                           ? "Inner vertices have Voronoi cells that the border does not cut; how many neighbours they "
-                             "have is counted. "
-                           : "The neighbours of all vertices are counted. ") +
-           "The least angle is measured of " +
-           (run.clip || (run.input.box.empty() && !run.replayed)
-                ? "each triangle around whose middle, its circumcentre, three cells meet within the " +
-                      std::string(run.clip ? "clip" : "domain")
-                : "all triangles") +
-           ": 60 degrees where all are equilateral. The energy is the "
-           "integral of the density times the squared distance to the nearest point: what Lloyd's iterations make "
-           "smaller.";
+    return std::string("Least angles: their mean, and the least of all; 60 degrees if all triangles are equilateral.") +
+           (run.plane_before->energy ? " The energy is the integral of the density times the squared distance to the "
+                                       "nearest point: what Lloyd's iterations make smaller."
+                                     : "");
 }
 
 void append_drawings(std::string& out, const std::vector<Drawing>& drawings) {
@@ -159,62 +145,6 @@ void append_drawings(std::string& out, const std::vector<Drawing>& drawings) {
     out += "<h2>The picture and its dots</h2>\n<div class=\"panels\">\n";
     for (const Drawing& drawing : drawings) append_figure(out, drawing.heading, drawing.svg, drawing.caption);
     out += "</div>\n";
-}
-
-/// The share of moves within tolerance in the steps that tested tolerances, and how many these are.
-Table_cell within_tolerance(const Run_record& run) {
-    const Tested_moves tested = tested_moves(run);
-    if (tested.asked == 0) return {"–"};
-    std::string text = percentage(tested.within_tolerance, tested.asked);
-    if (tested.steps < run.steps.size())
-        text +=
-            " <small>in " + grouped(tested.steps) + " " + step_word(run) + (tested.steps == 1 ? "" : "s") + "</small>";
-    return {text, static_cast<double>(tested.within_tolerance) / static_cast<double>(tested.asked)};
-}
-
-void append_comparison(std::string& out, const Comparison_record& comparison) {
-    if (!comparison.interrupted)
-        out += comparison.agree ? "<p class=\"verdict good\">All strategies agree: at the end each has a Delaunay "
-                                  "triangulation of the points, the same where there is only one.</p>\n"
-                                : "<p class=\"verdict bad\">The strategies disagree.</p>\n";
-    for (const std::string& line : comparison.disagreements) out += "<p>" + escaped(line) + "</p>\n";
-    if (comparison.runs.empty()) return;
-    append_findings(out, findings(comparison));
-    out += "<h2>Strategies compared</h2>\n";
-    const auto fastest = std::min_element(comparison.runs.begin(), comparison.runs.end(),
-                                          [](const auto& a, const auto& b) { return median_step(a) < median_step(b); });
-    const Run_record& first = comparison.runs.front();
-    std::vector<Table_row> rows;
-    const auto ratio = [](double a, double b) {
-        return b > 0 ? Table_cell(readable(a / b) + "×", a / b) : Table_cell("–");
-    };
-    for (const Run_record& run : comparison.runs) {
-        const double seconds = run.seconds.triangulation, median = median_step(run);
-        rows.push_back({escaped(run.strategy),
-                        {duration(seconds), seconds},
-                        {duration(median), median},
-                        ratio(median, median_step(*fastest)),
-                        ratio(median_step(first), median),
-                        {duration(run.seconds.construction), run.seconds.construction},
-                        within_tolerance(run),
-                        {audit(run.audit), static_cast<double>(run.audit.failed)}});
-    }
-    append_table(out,
-                 {"strategy", std::string("all ") + step_word(first) + "s", std::string("median ") + step_word(first),
-                  "its median over the least", "median of " + escaped(first.strategy) + " over its", "construction",
-                  "within tolerance", "audits"},
-                 rows, true);
-    out +=
-        "<figcaption>Times are of the wall clock, which counts pauses of the machine, too: sums over all " +
-        std::string(step_word(first)) +
-        "s have them, medians leave them out. Ratios in this table are of medians, <code>ratios_of_medians</code> in "
-        "compare.json; <code>ratios</code> there are of sums. Within tolerance: the share of moves, in the " +
-        step_word(first) + "s that tested tolerances.</figcaption>\n";
-    append_plots(out, "Cumulative time", comparison_plots(comparison),
-                 "Time for keeping the triangulation and its tolerances right, without the motion and without the "
-                 "construction of the first triangulation and its tolerances, summed by the wall clock: a jump may be "
-                 "a pause of the machine. A curve that flattens belongs to a strategy that gains from small "
-                 "displacements.");
 }
 
 }  // namespace
@@ -234,7 +164,7 @@ std::string report_html(const Report& report) {
     else append_findings(out, findings(run));
     append_drawings(out, report.drawings);
     append_cells(out, report);
-    append_plots(out, "How regular it became", regularity_plots(run), plane_caption(run));
+    append_plots(out, "How regular it became", regularity_plots(run), regularity_caption(run));
     if (report.film.empty()) append_pictures(out, report);
     else out += "<h2>The triangulation</h2>\n" + report.film.html();
     append_plots(
@@ -250,18 +180,19 @@ std::string report_html(const Report& report) {
                                : run.tolerance.empty() ? "Displacements"
                                                        : "Displacements and tolerances";
     append_plots(out, course + of, convergence_plots(report),
-                 "Lengths in mean spacings: the square root of the area (cube root of the volume) that one vertex has "
-                 "on average.");
+                 "Lengths in mean spacings: " + mean_spacing_of(run) + ".");
     const Tested_moves tested = tested_moves(run);
     const std::string word = step_word(run);
     append_plots(out, "What " + std::string(run.replayed ? "a " : "an ") + word + " costs" + of, cost_plots(run),
-                 tested.steps > 0 && tested.steps < run.steps.size()
-                     ? "Of " + grouped(run.steps.size() - (run.finished ? 1 : 0)) + " " + word + "s " +
-                           (run.finished ? "and the finish " : "") + grouped(tested.steps) +
-                           " tested tolerances. The others evaluated the signs of all certificates or rebuilt: how "
-                           "many moves were beyond tolerance is unknown there."
-                     : "");
+                 "Times are of the wall clock, which counts pauses of the machine, too." +
+                     (tested.steps > 0 && tested.steps < run.steps.size()
+                          ? " Of " + grouped(run.steps.size() - (run.finished ? 1 : 0)) + " " + word + "s " +
+                                (run.finished ? "and the finish " : "") + grouped(tested.steps) +
+                                " tested tolerances. The others evaluated the signs of all certificates or rebuilt: "
+                                "how many moves were beyond tolerance is unknown there."
+                          : ""));
     append_numbers(out, run, of);
+    append_run_terms(out, report);
     append_notes(out, report.notes);
     return out + page_foot();
 }

@@ -3,6 +3,7 @@
 #include <apps/report/box_change.h>
 #include <apps/report/report_plots.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -93,12 +94,15 @@ std::vector<Plot> convergence_plots(const Report& report) {
         for (const Series& s : plot.series) plot.title += (plot.title.empty() ? "" : ", ") + s.name;
         plot.title[0] = 'D';  // displacement, which all runs have
         if (box_changes(report.run)) plot.title += ", relative to the box";
-        plots.push_back(std::move(plot));
+        // Displacements alone are among the figures of a replayed motion.
+        if (plot.series.size() > 1 || !report.run.replayed || report.figures.empty()) plots.push_back(std::move(plot));
     }
     if (!report.annulus_widths.empty()) {
         const bool logarithmic = report.annulus_widths.front().widths.logarithmic();
-        Plot plot{"Distribution of standard annulus widths",
-                  {"standard annulus width (mean spacings)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, true},
+        // In 3D the width is the least of four annuli.
+        const std::string annulus = report.run.dimension == 2 ? "standard annulus" : "annulus";
+        Plot plot{"Distribution of " + annulus + " widths",
+                  {annulus + " width (mean spacings)", logarithmic ? Scale::log10 : Scale::linear, {}, {}, true},
                   {"bi-cells in a bin (%)", Scale::linear, 0., {}, false},
                   {}};
         for (const Width_distribution& d : report.annulus_widths)
@@ -225,7 +229,8 @@ std::vector<Plot> comparison_plots(const Comparison_record& comparison) {
     for (const Run_record& run : comparison.runs)
         add_measured(curves, run.strategy, run.steps,
                      [](const Iteration_record& s) { return std::optional<double>(s.seconds_cumulative); });
-    if (curves.empty()) return {};
+    // One step is in the table.
+    if (std::none_of(curves.begin(), curves.end(), [](const Series& s) { return s.x.size() > 1; })) return {};
     return {{"Cumulative time of each strategy",
              step_axis(comparison.runs.front(), Scale::linear),
              {"cumulative time (s)", Scale::linear, 0., {}, false},

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -144,6 +145,13 @@ struct Run_record {
 /// What pages write at an axis of steps: frames of a file have numbers of their own.
 [[nodiscard]] inline const char* step_axis_label(const Run_record& run) {
     return run.replayed ? "frames after the first" : run.finished ? "iteration, the last: the finish" : "iteration";
+}
+
+/// Whether the strategy of a run tests tolerances: not where it rebuilds, relocates or evaluates all signs, nor in a
+/// periodic box. "paper:floating" is `paper` with another kind of tolerance.
+[[nodiscard]] inline bool has_tolerances(const Run_record& run) {
+    const std::string_view name = std::string_view(run.strategy).substr(0, run.strategy.find(':'));
+    return !run.tolerance.empty() && (name == "auto" || name.starts_with("tolerances") || name.starts_with("paper"));
 }
 
 /// The moves of those steps of a run that tested tolerances.

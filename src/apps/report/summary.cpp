@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/error.h>
 #include <annulus/version.h>
-#include <apps/formats/input_error.h>
+#include <apps/report/axis_ticks.h>
 #include <apps/report/finding.h>
 #include <apps/report/summary.h>
 
@@ -62,8 +62,8 @@ void append_input(Json& json, const Input_record& input) {
 }
 
 std::string in_words(const Clip_record& clip) {
-    if (clip.kind == "polygon") return "a polygon with " + counted(clip.rows.size(), "corner");
-    return clip.kind == "box" ? "a box" : counted(clip.rows.size(), "half-space");
+    if (clip.kind == "polygon") return "a polygon with " + grouped(clip.rows.size(), "corner");
+    return clip.kind == "box" ? "a box" : grouped(clip.rows.size(), "half-space");
 }
 
 Json summary_json(const Run_record& run) {

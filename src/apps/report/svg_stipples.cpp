@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/report/axis_ticks.h>
 #include <apps/report/svg_stipples.h>
 
 #include <annulus/error.h>
@@ -29,7 +30,7 @@ std::string svg_stipples(std::size_t width, std::size_t height, std::span<const 
     const std::string w = std::to_string(width), h = std::to_string(height);
     const std::string paper = white_on_black ? "#000" : "#fff", ink = white_on_black ? "#fff" : "#000";
     std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
-                      "\" viewBox=\"0 0 " + w + " " + h + "\">\n<title>" + std::to_string(points.size()) +
+                      "\" viewBox=\"0 0 " + w + " " + h + "\">\n<title>" + grouped(points.size()) +
                       (points.size() == 1 ? " stipple" : " stipples") + "</title>\n<rect width=\"" + w +
                       "\" height=\"" + h + "\" fill=\"" + paper + "\"/>\n<g fill=\"" + ink + "\">\n";
     for (std::size_t i = 0; i < points.size(); ++i)

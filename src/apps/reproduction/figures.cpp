@@ -2,6 +2,7 @@
 #include <apps/reproduction/figures.h>
 
 #include <apps/report/axis_ticks.h>
+#include <apps/report/page.h>
 
 #include <algorithm>
 #include <map>
@@ -43,7 +44,7 @@ void append_plot(Page_content& page, std::vector<Panel>& panels, const Plot& plo
         cells.insert(cells.end(), row.begin(), row.end());
         table.rows.push_back(std::move(cells));
     }
-    panels.push_back({plot.title, svg_plot(plot), std::move(caption), {csv}});
+    panels.push_back({plot.title, plot_html(plot), std::move(caption), {csv}});
     page.tables.emplace_back(csv, std::move(table));
 }
 

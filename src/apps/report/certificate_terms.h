@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace annulus::inline v1 {
+
+/// Of which points the terms of a page speak.
+struct Certificate_terms {
+    bool plane = true;      ///< the page has points in 2D
+    bool space = false;     ///< and in 3D
+    bool periodic = false;  ///< in a periodic box: without a hull, and without the paper's tolerances
+};
+
+/// What bi-cells, certificates, annuli, slabs and tolerances are: sentences. Precondition: `plane` or `space`.
+[[nodiscard]] std::string certificate_terms(const Certificate_terms& of);
+
+/// A heading and a paragraph, HTML, for the end of a page on degeneracy. The same precondition.
+void append_degeneracy_terms(std::string& out, const Certificate_terms& of);
+
+}  // namespace annulus::inline v1

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/report/run_terms.h>
+
+#include <apps/formats/markup.h>
+#include <apps/report/certificate_terms.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace annulus::inline v1 {
+
+namespace {
+
+bool in_box(const Run_record& run) { return !run.input.box.empty(); }
+/// Open boundaries without a domain: then cells are unbounded along the hull.
+bool has_hull(const Run_record& run) { return run.replayed && !in_box(run) && !run.clip; }
+
+/// What a kind of tolerance is.
+std::string on_kind(const std::string& kind) {
+    if (kind == "certified") return " Certified: it is a lower bound, proved in spite of rounding.";
+    if (kind == "paper")
+        return " Of the kind paper: from standard annuli and what keeps the hull convex alone, in plain double, not "
+               "certified.";
+    return " Of the kind " + kind + ": in plain double, not certified.";
+}
+
+/// How tolerances are tested, and which ones.
+std::string on_tolerances(const std::vector<Run_record>& runs) {
+    std::string text;
+    std::set<std::string> kinds;
+    for (const Run_record& run : runs)
+        if (kinds.insert(run.tolerance).second) text += on_kind(run.tolerance);
+    const bool any = std::any_of(runs.begin(), runs.end(), has_tolerances);
+    if (!any)
+        return text + (runs.size() == 1 ? " The strategy " + runs.front().strategy : " These strategies") +
+               (runs.size() == 1 ? " tests no tolerances." : " test no tolerances.");
+    const std::string step = step_word(runs.front());
+    return text +
+           " Within tolerance: one comparison of the way of a vertex with its tolerance passed, and nothing "
+           "else is computed for the vertex. " +
+           (step == "frame" ? "A " : "An ") + step +
+           " tested tolerances where they decided: not where so many moves failed that the signs of all certificates "
+           "were evaluated instead, nor where all was rebuilt.";
+}
+
+}  // namespace
+
+std::string mean_spacing_of(const Run_record& run) {
+    const bool plane = run.dimension == 2;
+    return std::string(plane ? "the square root of the area" : "the cube root of the volume") + " of the " +
+           (in_box(run)    ? "periodic box"
+            : run.replayed ? "bounding box of the points"
+                           : "domain") +
+           (run.replayed ? " in the first frame, per point" : " per vertex");
+}
+
+const char* white_cells(const Run_record& run) {
+    return in_box(run) ? "" : run.clip ? "cut by the clip" : run.replayed ? "unbounded" : "at the border";
+}
+
+std::string cells_caption(const Run_record& run) {
+    if (!run.plane_before) return {};
+    const std::string angle = "The least angle is that of ";
+    if (in_box(run)) return "The neighbours of all vertices are counted. " + angle + "each triangle.";
+    if (has_hull(run))
+        return "Inner vertices are those that are not on the convex hull: their Voronoi cells are bounded. Only their "
+               "neighbours are counted. " +
+               angle + "each triangle, those along the hull included.";
+    const std::string what = run.clip ? "clip" : "domain";
+    return "Inner vertices are those whose Voronoi cells are bounded and not cut by the " +
+           (run.clip ? what : "border of the " + what) + ". Only their neighbours are counted. " + angle +
+           "each triangle whose circumcentre, where three cells meet, is in the " + what + ".";
+}
+
+void append_run_terms(std::string& out, const Report& report) {
+    const Run_record& run = report.run;
+    const bool plane = run.dimension == 2;
+    std::string text = "Mean spacing, the unit of lengths: " + mean_spacing_of(run) + ". ";
+    if (!run.tolerance.empty()) {
+        text += certificate_terms({plane, !plane, false}) +
+                on_tolerances(report.comparison && !report.comparison->runs.empty() ? report.comparison->runs
+                                                                                    : std::vector{run}) +
+                " ";
+    }
+    text += std::string("Flip: ") +
+            (plane ? "the edge that two triangles share is replaced by the other diagonal of their quadrilateral."
+                   : "two tetrahedra that share a triangle are replaced by three around an edge, or the reverse.") +
+            " Kept in place: a vertex that had to be checked, and around which no cell changed. Flipped: one around "
+            "which flips were made.";
+    if (!in_box(run)) text += " Reinserted: one that was removed and inserted again.";
+    text += " Rebuilt: one of a triangulation that was made anew.";
+    out += "<h2>Terms</h2>\n<p>" + escaped(text) + " More in docs/glossary.md and docs/theory.md.</p>\n";
+}
+
+}  // namespace annulus::inline v1
