@@ -86,6 +86,7 @@ stroke-dasharray:none!important}
 .claims td>span::before{content:"Verdict: ";color:var(--soft)}
 .claims td:nth-child(2)::before{content:"The paper: "}.claims td:nth-child(3)::before{content:"Under its algorithm: "}
 .claims td:nth-child(4)::before{content:"Under ours: "}.claims td::before{color:var(--soft)}}
+@media(max-width:600px){.wide th:first-child{min-width:6em}.wide td:last-child{white-space:normal;min-width:6em}}
 @media print{:root{--bg:#fff}main{padding:0}h2{break-after:avoid}figure{break-inside:avoid}}
 )css";
 
