@@ -25,7 +25,8 @@ struct Measured {
 /// Whether a count became smaller: open unless the difference is more than the square root of their sum, as counts of
 /// independent events scatter.
 [[nodiscard]] Claim_verdict fewer(double before, double after);
-/// Whether ratios of times are above 1, in every run. Times scatter: a ratio within 3 % of 1 is neither above nor below.
+/// Whether ratios of times are above 1, in every run. Times scatter: a ratio within 3 % of 1 is neither above nor
+/// below.
 [[nodiscard]] Claim_verdict above_one(const std::vector<double>& ratios);
 /// Of a claim that can be read in two ways, or that was measured in two: open where the verdicts are not the same.
 [[nodiscard]] Claim_verdict both(Claim_verdict a, Claim_verdict b);
