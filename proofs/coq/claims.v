@@ -7,6 +7,7 @@
 From Coq Require Import Reals ZArith Lra List Permutation Floats.
 From Annulus Require vectors bicell tetrahedron counterexample filter_3.
 From Annulus Require sums torus_2 torus_3 torus_degree_3 torus_moving torus_frames torus_powers torus_triangulation torus_delaunay.
+From Annulus Require torus_frames_3 torus_powers_3 torus_walk_3 torus_delaunay_3.
 From Annulus Require Import operations bridge connect filter_2 filter_doubles returned_2 predicate_2 returned_3 predicate_3 signs_2 signs_3.
 From Annulus Require Import algorithm_list algorithm_filter algorithm_check algorithm_run filter_world filter_plane.
 From Annulus Require Import space_mesh space_delaunay space_triangulation space_silhouette.
@@ -204,6 +205,26 @@ Proof.
   - intro S. split; [now apply torus_delaunay.torus_strict|]. intros T' C' S' V. now apply (torus_delaunay.torus_unique x L).
 Qed.
 Print Assumptions periodic_mesh_in_the_plane.
+
+Theorem periodic_powers_in_space : forall (x : nat -> vectors.vec) L, 0 < torus_3.det_3 L -> forall T, torus_3.glued_torus_3 T ->
+  torus_frames_3.positive_torus_3 x L T -> torus_frames_3.locally_delaunay_torus_3 x L T ->
+  forall y c0, In c0 T -> exists k, In (fst k) T /\ torus_powers_3.in_torus_cell_3 x L y (torus_frames_3.instance_3 k) /\
+    forall j, In (fst j) T -> torus_powers_3.power_3 x L y (torus_frames_3.instance_3 k) <= torus_powers_3.power_3 x L y (torus_frames_3.instance_3 j).
+Proof. intros x L D T G P S y c0. now apply torus_walk_3.least_power_3. Qed.
+Print Assumptions periodic_powers_in_space.
+
+Theorem periodic_mesh_in_space : forall (x : nat -> vectors.vec) L, 0 < torus_3.det_3 L -> forall T, torus_delaunay_3.covers_once_3 x L T ->
+  (forall y, exists k, In (fst k) T /\ torus_powers_3.in_torus_cell_3 x L y (torus_frames_3.instance_3 k)) /\
+  (forall y k k', In (fst k) T -> In (fst k') T -> torus_powers_3.inside_torus_cell_3 x L y (torus_frames_3.instance_3 k) ->
+    torus_powers_3.in_torus_cell_3 x L y (torus_frames_3.instance_3 k') -> k = k') /\
+  (torus_frames_3.locally_delaunay_torus_3 x L T -> torus_delaunay_3.spheres_empty x L T).
+Proof.
+  intros x L D T C. split; [|split].
+  - intro y. now apply torus_delaunay_3.torus_covered_3.
+  - intros y k k'. now apply torus_delaunay_3.torus_disjoint_3.
+  - now apply torus_delaunay_3.torus_delaunay_3.
+Qed.
+Print Assumptions periodic_mesh_in_space.
 
 Theorem circle_in_a_moving_box : forall m E e (x0 x d : nat -> point_2) L0 L (site : nat -> torus_2.site_2) c r s,
   m <> (0, 0) -> 0 <= e -> torus_moving.small_2 e E ->
