@@ -47,6 +47,14 @@ class Box {
     friend bool operator==(const Box&, const Box&) = default;
 
   private:
+    /// What a box has been rounded to, which is not examined again: at the limits it may be beyond them.
+    struct Rounded {
+        Vectors vectors;
+    };
+    explicit Box(const Rounded& rounded) noexcept : vectors_(rounded.vectors) {}
+    template <int>
+    friend struct Periodic_state;
+
     Vectors vectors_;
 };
 

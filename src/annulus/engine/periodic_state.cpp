@@ -48,7 +48,9 @@ void room_for(std::vector<T>& v, std::size_t size) {
 template <int d>
 Periodic_state<d>::Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box,
                                   std::span<const Index> free_indices)
-    : lattice(box.vectors()), rounded_box(lattice.box()), free(free_indices.begin(), free_indices.end()) {
+    : lattice(box.vectors()),
+      rounded_box(typename Box<d>::Rounded{lattice.box()}),
+      free(free_indices.begin(), free_indices.end()) {
     static_cast<void>(marked(free, points.size()));
     represent(points);
 }
@@ -85,7 +87,7 @@ Periodic_state<d>::Periodic_state(const typename Box<d>::Vectors& vectors, std::
                                   std::vector<Shift<d>> images, std::vector<Index> free_indices)
     : Placed_points<d>{{}, std::move(places), std::move(images)},
       lattice(vectors),
-      rounded_box(lattice.box()),
+      rounded_box(typename Box<d>::Rounded{lattice.box()}),
       free(std::move(free_indices)) {
     if (image.size() != place.size()) throw Error(Error_code::bad_input, "not every saved place has an image");
     const std::vector<char> is_free = marked(free, place.size());

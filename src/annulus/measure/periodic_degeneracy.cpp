@@ -3,6 +3,7 @@
 
 #include <annulus/measure/certificate_sums.h>
 #include <annulus/mesh/parallel_runs.h>
+#include <annulus/space/lattice.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ class Periodic_scan {
     };
 
     static double spacing(const Periodic_audit_input<d>& mesh, std::size_t vertices) {
-        const double each = Box<d>(mesh.box).volume() / static_cast<double>(vertices);
+        const double each = std::fabs(determinant_of_rows(mesh.box)) / static_cast<double>(vertices);
         return d == 2 ? std::sqrt(each) : std::cbrt(each);
     }
 
