@@ -3,8 +3,8 @@
 
 // Bytes to a box, points in it and changes of a Periodic_mesh of them, which is compared after each with what was asked
 // for, with a build of the same points and with common/periodic_checks.h. The first byte has the dimension in its
-// lowest bit, whether changes are reported in the next one, and a power of two in the others; then the kind of box, its
-// numbers, the kind of points, their number, the points, and changes until the bytes run out.
+// lowest bit, whether changes are reported in the next one, and a power of two and the strategy in the others; then the
+// kind of box, its numbers, the kind of points, their number, the points, and changes until the bytes run out.
 
 #include "bytes.h"
 #include "periodic_checks.h"
@@ -15,6 +15,7 @@
 #include <annulus/error.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -25,7 +26,9 @@ template <int d>
 class Periodic_case {
   public:
     explicit Periodic_case(Bytes bytes)
-        : options_{.threads = 1, .report_changes = (Bytes(bytes).next() & 2U) != 0},
+        : options_{.threads = 1,
+                   .report_changes = (Bytes(bytes).next() & 2U) != 0,
+                   .strategy = strategies[Bytes(bytes).next() / 4 % strategies.size()]},
           inputs_(bytes),
           box_(inputs_.box()) {
         const std::size_t n = inputs_.number();
@@ -54,6 +57,8 @@ class Periodic_case {
   private:
     using Points = std::vector<Coordinates<d>>;
     static constexpr int most_changes = 12;
+    static constexpr std::array strategies{Periodic_strategy::tolerances, Periodic_strategy::automatic,
+                                           Periodic_strategy::signs};
     struct Asked {
         Points points;
         typename Box<d>::Vectors box{};
@@ -221,7 +226,7 @@ class Periodic_case {
             const bool same = asked_.box == box_.vectors() && inputs_.below(2) == 0;
             const Move_result r = same ? mesh_->move_all(x) : mesh_->move_all(x, box);
             if (r.moves.asked != vertices().size() ||
-                r.moves.kept_in_place + r.moves.flipped + r.moves.rebuilt != r.moves.asked)
+                r.moves.within_tolerance + r.moves.kept_in_place + r.moves.flipped + r.moves.rebuilt != r.moves.asked)
                 return "! " + name + ": counts";
         } catch (const Error& e) {
             return names_one_place(e, x, box) ? refused(name) : "! " + name + ": " + e.what();
@@ -295,11 +300,29 @@ class Periodic_case {
         if (const std::string found = checks.fault(); !found.empty()) return done + ": " + found;
         if (testing::cells_of(*mesh_) != testing::cells_of(Periodic_mesh<d>(saved)))
             return done + ": the cells are not those of a build";
+        if (const std::string found = fault_of_tolerances(); !found.empty()) return done + ": " + found;
         if (!checks.is_found(inputs_.near(box_))) return done + ": find_cell";
         for (std::size_t v = 0; v < x_.size(); ++v)
             if (!std::isnan(x_[v][0]) && !checks.is_corner_found(v)) return done + ": find_cell of a vertex";
         return {};
     }
+    /// Points that move by nearly their tolerances, each along an axis, change no cell.
+    [[nodiscard]] std::string fault_of_tolerances() const {
+        const std::vector<double> tolerance = mesh_->tolerances();
+        Points x(mesh_->places().begin(), mesh_->places().end());
+        Periodic_mesh<d> pushed(mesh_->saved(), {.strategy = Periodic_strategy::signs});
+        pushed.move_all(x);
+        const auto before = testing::cells_of(pushed);
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            if (std::isnan(x[v][0]) != std::isnan(tolerance[v])) return "tolerances at free indices";
+            if (!std::isnan(x[v][0])) x[v][v % d] += (v / d % 2 == 0 ? 0.9999 : -0.9999) * tolerance[v];
+        }
+        const Move_result r = pushed.move_all(x);
+        if (r.moves.flipped != 0 || r.moves.rebuilt != 0 || testing::cells_of(pushed) != before)
+            return "a cell changes within tolerances";
+        return {};
+    }
+
     Periodic_options options_;
     Periodic_inputs<d> inputs_;
     Box<d> box_;

@@ -54,6 +54,19 @@ enum class Tolerance_kind : std::uint8_t {
 [[nodiscard]] std::optional<Strategy> strategy_named(std::string_view name);
 [[nodiscard]] std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name);
 
+/// How the triangulation is kept right in a periodic box.
+enum class Periodic_strategy : std::uint8_t {
+    automatic,   ///< tolerances while they pay, judged by counts of work; otherwise signs
+    signs,       ///< the signs of all certificates in each step; never tolerances
+    tolerances,  ///< only certificates whose tolerance expired are evaluated; always tolerances
+};
+
+[[nodiscard]] constexpr std::string_view name_of(Periodic_strategy s) {
+    return s == Periodic_strategy::automatic ? "auto" : s == Periodic_strategy::signs ? "signs" : "tolerances";
+}
+
+[[nodiscard]] std::optional<Periodic_strategy> periodic_strategy_named(std::string_view name);
+
 /// What a caller can choose, as one value.
 struct Options {
     Strategy strategy = Strategy::automatic;

@@ -3,10 +3,9 @@
 
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/limits.h>
-#include <annulus/engine/cost_model.h>
 #include <annulus/engine/periodic_changes.h>
 #include <annulus/engine/periodic_editor.h>
-#include <annulus/engine/periodic_repair.h>
+#include <annulus/engine/periodic_mover.h>
 #include <annulus/engine/periodic_state.h>
 #include <annulus/kernel/periodic_builder.h>
 #include <annulus/kernel/periodic_locate.h>
@@ -66,32 +65,8 @@ struct Periodic_mesh<d>::Parts {
                         std::to_string(points.size()) + " positions for " + std::to_string(n) + " vertices");
         if (std::memcmp(&box, &state.lattice.given(), sizeof box) != 0)
             return placed(n, points, Box<d>(box), state.free);
-        return placed(n, points, state, std::move(spare));
+        return placed(n, points, state, mover.take_memory());
     }
-    Move_result move(Periodic_state<d> next) {
-        // What a build costs, a copy of a point, in the unit of cost_model.h; and a little, for few points. Flips of
-        // cells with offsets take two to four times what that model says, so it is less than for builds without.
-        constexpr double copy = d == 2 ? 25 : 60, little = 8000;
-        const std::size_t n = next.vertices();
-        Budget budget{little + copy * static_cast<double>(builder.copies())};
-        const Periodic_repair_result repaired =
-            repair.repair(state.table, {state.lattice, state.place}, {next.lattice, next.place}, budget);
-        if (repaired.done) std::swap(next.table, state.table);
-        else {
-            build(next);
-            budget.charge(copy * static_cast<double>(builder.copies()));
-        }
-        std::swap<Placed_points<d>>(spare, state);
-        state = std::move(next);
-        Move_result result;
-        result.moves.asked = n;
-        result.moves.flipped = repaired.flipped;
-        (repaired.done ? result.moves.kept_in_place : result.moves.rebuilt) = n - repaired.flipped;
-        result.statistics.flips = repaired.flips;
-        result.statistics.cost = budget.spent;
-        return result;
-    }
-
     /// Makes a call that changes the state, and lists the changes. Where it throws, the state is as it was.
     template <class Call>
     auto changing(Call call) {
@@ -104,16 +79,16 @@ struct Periodic_mesh<d>::Parts {
             return result;
         } catch (...) {
             state = std::move(before);
+            mover.forget();
             throw;
         }
     }
 
     Periodic_options options;
     Periodic_builder<d> builder;
-    Periodic_repair<d> repair;
+    Periodic_mover<d> mover{builder, options.strategy, options.threads};
     Periodic_editor<d> editor{builder, options.threads};
     Periodic_state<d> state;
-    Placed_points<d> spare;       // of the state before, for its memory
     Periodic_changes<d> changes;  // of the last call
 };
 
@@ -133,12 +108,12 @@ Periodic_mesh<d>& Periodic_mesh<d>::operator=(Periodic_mesh&&) noexcept = defaul
 template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points) {
     Periodic_state<d> next = parts_->moved(points, parts_->state.lattice.given());
-    return parts_->changing([&] { return parts_->move(std::move(next)); });
+    return parts_->changing([&] { return parts_->mover.move(parts_->state, std::move(next)); });
 }
 template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
     Periodic_state<d> next = parts_->moved(points, box.vectors());
-    return parts_->changing([&] { return parts_->move(std::move(next)); });
+    return parts_->changing([&] { return parts_->mover.move(parts_->state, std::move(next)); });
 }
 template <int d>
 Index Periodic_mesh<d>::insert(const Point& p) {
@@ -147,6 +122,7 @@ Index Periodic_mesh<d>::insert(const Point& p) {
 template <int d>
 std::vector<Index> Periodic_mesh<d>::insert(std::span<const Point> points) {
     require_sound_environment();
+    parts_->mover.forget();
     return parts_->changing([&] { return parts_->editor.insert(parts_->state, points); });
 }
 template <int d>
@@ -156,6 +132,7 @@ void Periodic_mesh<d>::remove(Index i) {
 template <int d>
 void Periodic_mesh<d>::remove(std::span<const Index> indices) {
     require_sound_environment();
+    parts_->mover.forget();
     parts_->changing([&] {
         parts_->editor.remove(parts_->state, indices);
         return true;
@@ -254,6 +231,11 @@ template <int d>
 Periodic_voronoi_diagram<d> Periodic_mesh<d>::voronoi() const {
     require_sound_environment();
     return periodic_voronoi_diagram(parts_->state);
+}
+template <int d>
+std::vector<double> Periodic_mesh<d>::tolerances() const {
+    require_sound_environment();
+    return parts_->mover.tolerances(parts_->state);
 }
 template <int d>
 const Periodic_changes<d>& Periodic_mesh<d>::changes() const {

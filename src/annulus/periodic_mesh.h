@@ -4,6 +4,7 @@
 #include <annulus/audit.h>
 #include <annulus/box.h>
 #include <annulus/error.h>
+#include <annulus/options.h>
 #include <annulus/types.h>
 #include <annulus/voronoi.h>
 
@@ -18,6 +19,7 @@ namespace annulus::inline v1 {
 struct Periodic_options {
     int threads = 1;              ///< of a build: 1 or more, else Error(usage); the triangulation does not depend on it
     bool report_changes = false;  ///< whether calls list the pairs that they make and break (Periodic_mesh::changes)
+    Periodic_strategy strategy = Periodic_strategy::automatic;  ///< of moves; the triangulation does not depend on it
 };
 
 /// Pairs of neighbouring images: point second[k], moved by shift[k] . box, and point first[k]. Each pair once: first <=
@@ -58,9 +60,14 @@ struct Periodic_location {
 /// Delaunay triangulation of points() and box(), which are the caller's, rounded once (docs/periodic.md says how). In
 /// cospherical cases it is the one of the perturbation that Moving_mesh uses, which is the same for every image.
 ///
-/// A move tests all signs and flips where one fails, O(n) and more for each flip; where flips are stuck or would cost
-/// more it rebuilds, O(n log n). The triangulation is the same, numbers of cells may differ. There are no tolerances
-/// yet. A call that throws leaves the object as it was. Not thread-safe; const members may run concurrently.
+/// A move tests all signs, or with tolerances (Periodic_options::strategy) the certificates of points that have left
+/// theirs, and flips where one fails, O(n) and more for each flip; where flips are stuck or would cost more it
+/// rebuilds, O(n log n). The triangulation is the same, numbers of cells may differ. A call that throws leaves the
+/// object as it was, but that no tolerances may be kept for the next move. Not thread-safe; const members may run
+/// concurrently.
+///
+/// Tolerances are those of ways relative to the box: points that follow a box that is strained in all directions alike,
+/// or turned, keep theirs; where its shape changes they lose as much as a certificate is deformed (docs/theory.md 8.9).
 ///
 /// Vertices have indices in input order. Removing a vertex makes its index free; the next insertion takes the index
 /// that was freed last.
@@ -84,8 +91,9 @@ class Periodic_mesh {
 
     /// Moves all points, in the order of their indices; any image of each. There are index_bound() of them; those at
     /// free indices are not read. The box is the same, as it was given, not rounded. In the result all are `rebuilt`,
-    /// or those are `flipped` that are in cells made by flips, and the others `kept_in_place`; it lists no cells, and
-    /// its cost is that of flips and of a build. Throws what the constructor throws, and wrong_size.
+    /// or those are `flipped` that are in cells made by flips, and the others `kept_in_place`, or `within_tolerance` in
+    /// a move that began with tolerances; it lists no cells, and its cost is that of certificates, flips and a build.
+    /// Throws what the constructor throws, and wrong_size.
     Move_result move_all(std::span<const Point> points);
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);
@@ -155,6 +163,13 @@ class Periodic_mesh {
     /// with it, and a row of the matrix has one entry for all images of a neighbour. O(n). The first throws wrong_size.
     [[nodiscard]] std::vector<Point> voronoi_gradient(std::span<const double> weights) const;
     [[nodiscard]] Voronoi_jacobian<d> voronoi_jacobian() const;
+
+    /// By point: a lower bound of how far it may be from its place (places()) while every other point is as near to its
+    /// own, or nearer, by its own bound, and the box stays: no cell changes. NaN at free indices. While tolerances are
+    /// kept these are what is left of them, O(n); otherwise all certificates are evaluated, O(n), in 3D a few
+    /// microseconds a point. Insertions and removals end them, and with `auto` so do moves for which they do not pay;
+    /// then the next move that allows it begins them again. Throws bad_alloc and environment.
+    [[nodiscard]] std::vector<double> tolerances() const;
 
     /// With options().report_changes: what the last call of move_all, insert or remove changed; nothing before the
     /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:

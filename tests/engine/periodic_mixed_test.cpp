@@ -130,8 +130,9 @@ class Walk {
             const bool same = box.vectors() == box_.vectors() && cases_.below(2) == 0;
             const Move_result r = same ? mesh_.move_all(x) : mesh_.move_all(x, box);
             CHECK(r.moves.asked == mesh_.number_of_vertices());
-            CHECK(r.moves.kept_in_place + r.moves.flipped + r.moves.rebuilt == r.moves.asked);
-            met_.kept += r.moves.kept_in_place;
+            CHECK(r.moves.within_tolerance + r.moves.kept_in_place + r.moves.flipped + r.moves.rebuilt ==
+                  r.moves.asked);
+            met_.kept += r.moves.within_tolerance + r.moves.kept_in_place;
             met_.flipped += r.moves.flipped;
             met_.rebuilt += r.moves.rebuilt;
             if (mesh_.number_of_vertices() < mesh_.index_bound()) met_.flipped_with_free += r.moves.flipped;

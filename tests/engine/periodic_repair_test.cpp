@@ -81,11 +81,11 @@ Steps expect_same_as_built(int kind, std::size_t n, double spacings, double stra
         const Move_result result = mesh.move_all(walk.x, box);
         const Move_counts& m = result.moves;
         CHECK(m.asked == n);
-        CHECK(m.kept_in_place + m.flipped + m.rebuilt == n);
+        CHECK(m.within_tolerance + m.kept_in_place + m.flipped + m.rebuilt == n);
         CHECK((m.rebuilt == 0 || m.rebuilt == n));
         CHECK((result.statistics.flips == 0) == (m.flipped == 0));
         ++done.all;
-        done.kept += m.kept_in_place == n;
+        done.kept += m.within_tolerance + m.kept_in_place == n;
         done.rebuilt += m.rebuilt == n;
         done.flips += result.statistics.flips;
         expect_as_built<d>(mesh, walk.x, box);
@@ -203,7 +203,10 @@ TEST_CASE("Points that are moved across the border together keep their cells, al
         given_up += result.moves.rebuilt > 0 ? 1 : 0;
         for (auto& p : walk.x)
             for (double& c : p) c += 0.375;
-        CHECK(mesh.move_all(walk.x, box).moves.kept_in_place >= 390);
+        {
+            const Move_counts moves = mesh.move_all(walk.x, box).moves;
+            CHECK(moves.within_tolerance + moves.kept_in_place >= 390);
+        }
         expect_as_built<3>(mesh, walk.x, box);
     }
     CHECK(given_up > 0);

@@ -13,13 +13,14 @@
 
 namespace annulus::soak {
 
-/// An update strategy with its settings, and its name; or a periodic box, which has no strategies.
+/// An update strategy with its settings, and its name; or that of a periodic box.
 struct Setting {
     std::string_view name;
     Strategy strategy;
     bool periodic = false;
+    Periodic_strategy in_box = Periodic_strategy::automatic;
 };
-inline constexpr std::array<Setting, 10> all_settings{{
+inline constexpr std::array<Setting, 11> all_settings{{
     {"tolerances", Strategy::tolerances},
     {"tolerances-each", Strategy::tolerances_each},
     {"auto", Strategy::automatic},
@@ -30,6 +31,7 @@ inline constexpr std::array<Setting, 10> all_settings{{
     {"relocate-flips", Strategy::relocate_flips},
     {"in-place", Strategy::in_place},
     {"periodic", Strategy::automatic, true},
+    {"periodic-tolerances", Strategy::automatic, true, Periodic_strategy::tolerances},
 }};
 
 /// A case to run. The whole run is a function of it, except of `audits`, which changes nothing.

@@ -37,9 +37,11 @@ class Periodic_runner {
           box_motion_(random),
           calls_(random()),
           looks_(random()),
+          pushes_(c.seed),
           live_(c.points, true),
           expected_(asked_for()),
-          mesh_(expected_, box_motion_.box(scale()), {.threads = 1, .report_changes = random() % 2 == 0}) {}
+          mesh_(expected_, box_motion_.box(scale()),
+                {.threads = 1, .report_changes = random() % 2 == 0, .strategy = c.setting.in_box}) {}
 
     Outcome run() {
         try {
@@ -98,10 +100,11 @@ class Periodic_runner {
     void count(const Move_result& report) {
         if (report.moves.asked != mesh_.number_of_vertices())
             throw Fault{"a report asked for " + std::to_string(report.moves.asked)};
-        if (report.moves.kept_in_place + report.moves.flipped + report.moves.rebuilt != report.moves.asked)
+        if (report.moves.within_tolerance + report.moves.kept_in_place + report.moves.flipped + report.moves.rebuilt !=
+            report.moves.asked)
             throw Fault{"a report that does not add up"};
         outcome_.asked += report.moves.asked;
-        outcome_.within += report.moves.kept_in_place;
+        outcome_.within += report.moves.within_tolerance + report.moves.kept_in_place;
         outcome_.flips += report.statistics.flips;
     }
 
@@ -175,6 +178,27 @@ class Periodic_runner {
         if (mesh_.audit().degenerate_facets > 0) ++outcome_.degenerate;
         if (testing::cells_of(mesh_) != testing::cells_of(Periodic_mesh<d>(mesh_.saved())))
             throw Fault{"the cells are not those of a rebuild"};
+        push();
+    }
+    /// A mesh of the same points that moves by nearly its tolerances, each in some direction.
+    void push() {
+        const std::vector<double> tolerance = mesh_.tolerances();
+        Periodic_mesh<d> pushed(mesh_.saved(), {.strategy = Periodic_strategy::signs});
+        Places x(mesh_.places().begin(), mesh_.places().end());
+        (void)pushed.move_all(x);
+        const auto before = testing::cells_of(pushed);
+        for (std::size_t v = 0; v < x.size(); ++v) {
+            Coordinates<d> way;
+            double squares = 0;
+            for (double& c : way) {
+                c = testing::between(pushes_, -1, 1);
+                squares += c * c;
+            }
+            for (std::size_t i = 0; i < d; ++i) x[v][i] += 0.9999 * tolerance[v] * way[i] / std::sqrt(squares);
+        }
+        const Move_result r = pushed.move_all(x);
+        if (r.moves.flipped > 0 || r.moves.rebuilt > 0 || testing::cells_of(pushed) != before)
+            throw Fault{"a cell changes within tolerances"};
     }
 
     const Case& case_;
@@ -182,6 +206,7 @@ class Periodic_runner {
     Box_motion<d> box_motion_;
     Random calls_;
     Random looks_;
+    Random pushes_;
     double scale_ = 0;
     std::vector<bool> live_;
     Places expected_;

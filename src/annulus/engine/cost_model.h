@@ -63,6 +63,10 @@ struct Cost_model<3> {
     static constexpr double expected = 11.4;
 };
 
+/// How many times as much failures and evaluations cost in a periodic box, by bench/motions/torus.cpp: certificates are
+/// evaluated at places that are computed, and found without the order that cells of an open mesh have in memory.
+inline constexpr double in_periodic_box = 3.0;
+
 /// Extra cost of the tolerance of a certificate, when a later stage computes it.
 inline constexpr double interval_evaluation_cost = 35.0;
 inline constexpr double exact_evaluation_cost = 470.0;

@@ -17,4 +17,11 @@ std::optional<Tolerance_kind> tolerance_kind_named(std::string_view name) {
     return std::nullopt;
 }
 
+std::optional<Periodic_strategy> periodic_strategy_named(std::string_view name) {
+    for (const Periodic_strategy s :
+         {Periodic_strategy::automatic, Periodic_strategy::signs, Periodic_strategy::tolerances})
+        if (name_of(s) == name) return s;
+    return std::nullopt;
+}
+
 }  // namespace annulus::inline v1

@@ -34,8 +34,12 @@ class Periodic_motion {
     [[nodiscard]] std::span<Coordinates<d>> goal() { return goal_; }
     /// Whether offsets are others at home than at the old places.
     [[nodiscard]] bool relabels_home() const { return other_basis_ || wraps_home_; }
+    /// Whether the bases are different vectors.
+    [[nodiscard]] bool changes_box() const { return home_.data() == mapped_.data(); }
     /// The vertices whose goals are not their new places: offsets in their cells are others there.
     [[nodiscard]] std::span<const Index> wrapped() const { return wrapped_; }
+    /// By how much the offsets of its corners are greater there.
+    [[nodiscard]] Offset<d> growth_at_goal(Index v) const { return to_goal_[static_cast<std::size_t>(v)]; }
     /// Makes offsets at the old places such for home. False where a cell is too long for them.
     [[nodiscard]] bool relabel_home(Periodic_table<d>& table) const;
     /// Makes offsets of these cells at the goals such for the new places, of each once. False where one is too long.

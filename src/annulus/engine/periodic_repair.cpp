@@ -61,11 +61,13 @@ class Periodic_repair<d>::Change {
 
 template <int d>
 Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, const Periodic_points<d>& from,
-                                                  const Periodic_points<d>& to, Budget& budget) {
+                                                  const Periodic_points<d>& to, Budget& budget,
+                                                  const Tolerances& tolerances) {
     Periodic_repair_result result;
     if (!motion_.begin(from, to)) return result;
     result.done = !motion_.moves();
     if (result.done) return result;
+    result.by_tolerances = tolerances.of.begin_step(motion_, to.lattice, tolerances.most_failed);
     budget_ = &budget;
     made_.flips = 0;
     made_.unused.clear();
@@ -75,7 +77,9 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
         if (!motion_.relabel_home(work_)) return result;
     }
     signs_.begin(work_, to.lattice, motion_.goal(), budget);
-    signs_.test_all_cells();
+    bool same_spheres = false;
+    if (result.by_tolerances) same_spheres = test_expired(tolerances.of, to.lattice, result.evaluated);
+    else signs_.test_all_cells();
     const bool calm = signs_.inverted().empty() && signs_.violated().empty();
     if (!calm || change.may_be_of_everything() || !motion_.wrapped().empty()) {
         note_doubted();
@@ -86,6 +90,7 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
         if (!calm && !flip_until_done(to.lattice)) return result;
         close_gaps();
         if (!relabel_goal()) return result;
+        if (same_spheres) signs_.cospherical() = work_.cospherical;
         signs_.cospherical().resize(work_.size());
         change.take_cospherical();
         const bool proved = change.may_be_of_everything()
@@ -93,12 +98,66 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
                                 : is_still_proved_delaunay<d>(work_, to.lattice, to.place,
                                                               {made_.journal, motion_.goal(), left_.doubted});
         if (!proved) return result;
-    } else change.take_cospherical();
+    } else if (!same_spheres) change.take_cospherical();
+    result.flips = made_.flips;
+    count_outcomes(result, tolerances.of, calm);
+    if (result.by_tolerances) keep_tolerances(tolerances.of, to, calm, result.evaluated);
     change.keep();
     result.done = true;
-    result.flips = made_.flips;
-    if (!calm) result.flipped = static_cast<std::size_t>(std::count(made_.flipped.begin(), made_.flipped.end(), 1));
     return result;
+}
+
+/// Tests the certificates that have expired. Whether the same facets are cospherical as before; if not, signs_ has
+/// them.
+template <int d>
+bool Periodic_repair<d>::test_expired(Periodic_tolerances<d>& tolerances, const Lattice<d>& lattice,
+                                      Stage_counts& counts) {
+    using Table = Periodic_table<d>;
+    star_.begin(motion_.home().size());
+    counts += tolerances.find_expired({work_, lattice, motion_.goal()}, star_);
+    budget_->charge(Cost_model<d>::failure * static_cast<double>(tolerances.failed().size()) +
+                    Cost_model<d>::evaluation * static_cast<double>(tolerances.evaluated().size()));
+    bool same = true;
+    for (const auto& e : tolerances.evaluated()) {
+        const std::size_t c = is_of_cell(e.id) ? cell_of(e.id).offset() : Table::cell_of(facet_of(e.id));
+        if (!e.holds) signs_.test_cell(c);
+        if (is_of_cell(e.id)) continue;
+        const Corner_index f = facet_of(e.id), t = work_.twin[c][Table::slot_of(f)];
+        const std::uint8_t now = e.cospherical ? 1 : 0;
+        if (work_.cospherical[c][Table::slot_of(f)] == now) continue;
+        if (same) signs_.cospherical() = work_.cospherical;
+        same = false;
+        signs_.cospherical()[c][Table::slot_of(f)] = signs_.cospherical()[Table::cell_of(t)][Table::slot_of(t)] = now;
+    }
+    return same;
+}
+
+/// The table is right at its new places. Without flips what was evaluated at the goals is so there, too.
+template <int d>
+void Periodic_repair<d>::keep_tolerances(Periodic_tolerances<d>& tolerances, const Periodic_points<d>& to, bool calm,
+                                         Stage_counts& counts) {
+    if (calm) {
+        tolerances.commit({work_, to.lattice, motion_.goal()});
+        tolerances.relabel(motion_);
+        return;
+    }
+    tolerances.relabel(motion_);
+    std::vector<std::size_t> changed;
+    for (const Kept_cell<d>& k : made_.journal.kept())
+        if (k.cell < work_.size()) changed.push_back(k.cell);
+    for (std::size_t c = made_.journal.size(); c < work_.size(); ++c) changed.push_back(c);
+    counts += tolerances.evaluate_again({work_, to.lattice, to.place}, changed);
+    budget_->charge(Cost_model<d>::evaluation * static_cast<double>(tolerances.evaluated().size()));
+    tolerances.commit({work_, to.lattice, to.place});
+}
+
+template <int d>
+void Periodic_repair<d>::count_outcomes(Periodic_repair_result& result, const Periodic_tolerances<d>& tolerances,
+                                        bool calm) const {
+    if (!calm) result.flipped = static_cast<std::size_t>(std::count(made_.flipped.begin(), made_.flipped.end(), 1));
+    if (!result.by_tolerances) return;
+    for (const Index v : tolerances.failed())
+        if (calm || made_.flipped[static_cast<std::size_t>(v)] == 0) ++result.failed;
 }
 
 /// Cells of which a certificate does not hold at the goals.

@@ -5,6 +5,7 @@
 #include <annulus/engine/held_back.h>
 #include <annulus/engine/periodic_motion.h>
 #include <annulus/engine/periodic_signs.h>
+#include <annulus/engine/periodic_tolerances.h>
 #include <annulus/mesh/periodic_journal.h>
 #include <annulus/mesh/periodic_star.h>
 #include <annulus/mesh/replace_periodic_cells.h>
@@ -17,15 +18,18 @@ namespace annulus::inline v1 {
 
 /// What became of a table.
 struct Periodic_repair_result {
-    bool done = false;  ///< it is the triangulation of the new points; otherwise it is as it was
+    bool done = false;           ///< it is the triangulation of the new points; otherwise it is as it was
+    bool by_tolerances = false;  ///< only certificates that had expired were tested
     std::uint64_t flips = 0;
     std::size_t flipped = 0;  ///< vertices of cells that flips made
+    std::size_t failed = 0;   ///< of the others, those that left their tolerances
+    Stage_counts evaluated;
 };
 
 /// Turns the periodic Delaunay triangulation of points into the one of the same points elsewhere, in another box, too:
 /// Flip_repair for cells with offsets (docs/theory.md 8.7).
 ///
-///     all signs at the goals  -- all hold -->  the table is right as it is
+///     all signs at the goals, or those of what has expired  -- all hold -->  the table is right as it is
 ///           |
 ///     hold back, flip, advance  -- lists are empty -->  proved (is_still_proved_delaunay), or it does not count
 ///
@@ -35,10 +39,18 @@ struct Periodic_repair_result {
 template <int d>
 class Periodic_repair {
   public:
+    struct Tolerances {
+        Periodic_tolerances<d>& of;
+        std::size_t most_failed;
+    };
     /// The table is that of `from`, proved; with result.done it is that of `to`. Where only signs were needed, cells
-    /// keep their numbers. Throws bad_alloc, with the table as it was.
+    /// keep their numbers. With tolerances that are kept, and that at most so many vertices have left, only what has
+    /// expired is tested, and they are kept at the end; where anything ends otherwise none are. Throws bad_alloc, with
+    /// the table as it was.
     Periodic_repair_result repair(Periodic_table<d>& table, const Periodic_points<d>& from,
-                                  const Periodic_points<d>& to, Budget& budget);
+                                  const Periodic_points<d>& to, Budget& budget, const Tolerances& tolerances);
+    /// The last one.
+    [[nodiscard]] Periodic_motion<d>& motion() { return motion_; }
 
   private:
     class Change;
@@ -57,6 +69,11 @@ class Periodic_repair {
     };
 
     [[nodiscard]] bool is_cell(std::size_t c) const { return work_.vertex[c][0] != none; }
+    [[nodiscard]] bool test_expired(Periodic_tolerances<d>& tolerances, const Lattice<d>& lattice,
+                                    Stage_counts& counts);
+    void keep_tolerances(Periodic_tolerances<d>& tolerances, const Periodic_points<d>& to, bool calm,
+                         Stage_counts& counts);
+    void count_outcomes(Periodic_repair_result& result, const Periodic_tolerances<d>& tolerances, bool calm) const;
     void note_doubted();
     void close_gaps();
     [[nodiscard]] bool relabel_goal();

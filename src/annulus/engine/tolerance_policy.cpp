@@ -36,7 +36,7 @@ template <int d>
 void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::span<const Coordinates<d>> from,
                                              std::span<const Coordinates<d>> to) {
     displacement_.clear();
-    if (steps_without_ % check_interval != 0) return;
+    if (!is_time_to_check()) return;
     displacement_.resize(to.size());
     for (std::size_t v = 0; v < to.size(); ++v)
         if (table.corner_of(static_cast<Index>(v)) != no_corner)
@@ -83,10 +83,27 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
         release(displacement_);
         return;
     }
+    decide(share, each);
+    release(displacement_);
+}
+
+template <int d>
+bool Tolerance_policy<d>::is_time_to_check() const {
+    return steps_without_ % check_interval == 0;
+}
+
+template <int d>
+void Tolerance_policy<d>::decide(double share, bool each) {
     constexpr double margin = 0.75;  // the first of them costs a recomputation of tolerances
     recomputes_next_ = Cost_model<d>::expected * Cost_model<d>::certificates * share <=
                        margin * (each ? Cost_model<d>::star : Cost_model<d>::signs);
-    release(displacement_);
+}
+
+/// What it costs is in excess of signs, which the steps in between have to save.
+template <int d>
+bool Tolerance_policy<d>::renews(std::size_t vertices) {
+    excess_cost_ += Cost_model<d>::recomputation * static_cast<double>(vertices);
+    return excess_cost_ <= (Cost_model<d>::recomputation + Cost_model<d>::signs) * static_cast<double>(vertices);
 }
 
 /// The signs around one vertex cost a thousandth of a recomputation of tolerances, which then pays for the moves to

@@ -44,6 +44,12 @@ class Tolerance_policy {
     /// at x.
     void reconsider(const Corner_table<d>& table, Certificate_checker<d>& checker, std::span<const Coordinates<d>> x,
                     bool each, Move_result& report);
+    /// Without tolerances: whether it is time to check whether they would pay.
+    [[nodiscard]] bool is_time_to_check() const;
+    /// Decides by the share of certificates that would expire at a time step.
+    void decide(double share, bool each);
+    /// Tolerances that pay have to be computed again: whether that still does, so soon.
+    [[nodiscard]] bool renews(std::size_t vertices);
     /// Whether tolerances would last, judging by the last time step; true once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 

@@ -8,7 +8,7 @@ namespace annulus::inline v1::cli {
 template <int d>
 Boxed_mesh<d>::Boxed_mesh(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box,
                           const Options& options)
-    : mesh_(x, box, Periodic_options{.threads = options.threads}),
+    : mesh_(x, box, Periodic_options{.threads = options.threads, .strategy = Periodic_strategy::signs}),
       box_(box),
       id_(id.begin(), id.end()),
       rebuilds_(options.strategy == Strategy::rebuild) {

@@ -37,7 +37,7 @@ class Boxed_mesh {
     [[nodiscard]] std::size_t index_bound() const { return id_.size(); }
     [[nodiscard]] bool is_vertex(Index v) const { return v >= 0 && static_cast<std::size_t>(v) < id_.size(); }
     [[nodiscard]] Audit_result audit() const { return mesh_.audit(); }
-    /// There are no tolerances in a periodic box yet: nothing is computed, nothing is measured.
+    /// No tolerances are kept in a periodic box here: nothing is computed, nothing is measured.
     Move_result recompute_tolerances() { return {}; }
     [[nodiscard]] Measures measure() const { return {}; }
 
