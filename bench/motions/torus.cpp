@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Periodic_mesh in a cube or square beside Moving_mesh of the same points, whose boundaries are open: rebuilds, also
-// beside CGAL's periodic triangulation, and steps in which both test all signs. One JSON object per line.
+// beside CGAL's periodic triangulation, and steps in which both test all signs. And Periodic_mesh in a box that is
+// strained or sheared, by tolerances and by signs. One JSON object per line.
 #include "families.h"
 #include "result_line.h"
 #include "stopwatch.h"
@@ -15,7 +16,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -32,6 +35,8 @@ struct Choice {
     double spacings = 0.0;  // of a step; 0: rebuilds
     int repeat = 9;
     bool cgal = false;
+    std::string box;       // how it moves; empty: not
+    double strain = 1e-5;  // of a step
     std::string json;
 };
 
@@ -140,7 +145,7 @@ class Walk {
           x_(bench::Scene<d>("uniform", "walk", n, 0.0, 1).points()),
           spacing_(std::pow(static_cast<double>(n), -1.0 / d)),
           open_(std::span<const Coordinates<d>>(x_)),
-          periodic_(std::span<const Coordinates<d>>(x_), unit_box<d>()) {}
+          periodic_(std::span<const Coordinates<d>>(x_), unit_box<d>(), {.strategy = Periodic_strategy::signs}) {}
 
     struct Times {
         double open, periodic;
@@ -194,9 +199,78 @@ void signs(const Choice& c) {
     say(out, c.json);
 }
 
+/// Points that follow a box, which is strained in all directions alike, or sheared, or stays, and jitter.
+template <int d>
+void in_moving_box(const Choice& c) {
+    struct Way {
+        const char* name;
+        Periodic_strategy strategy;
+        std::uint64_t evaluated = 0, recomputed = 0, by_tolerances = 0, within = 0;
+    };
+    std::array ways{Way{"tolerances", Periodic_strategy::tolerances}, Way{"signs", Periodic_strategy::signs},
+                    Way{"auto", Periodic_strategy::automatic}};
+    bench::Random random(17);
+    bench::Points<d> x = bench::Scene<d>("uniform", "walk", c.points, 0.0, 1).points();
+    auto box = unit_box<d>().vectors();
+    std::vector<Periodic_mesh<d>> meshes;
+    for (const Way& way : ways)
+        meshes.emplace_back(std::span<const Coordinates<d>>(x), Box<d>(box),
+                            Periodic_options{.strategy = way.strategy});
+    const double spacing = std::pow(static_cast<double>(c.points), -1.0 / d);
+    Columns columns({"signs", "tolerances", "auto"});
+    constexpr int first = 2;  // of the steps before, one computes all tolerances
+    for (int k = -first; k < c.repeat; ++k) {
+        const auto deform = [&](Coordinates<d>& p) {
+            if (c.box == "shear") p[0] += c.strain * p[1];
+            else
+                for (double& y : p) y *= c.box == "npt" ? 1 + c.strain : 1;
+        };
+        for (auto& v : box) deform(v);
+        for (auto& p : x) {
+            deform(p);
+            for (double& y : p) y += c.spacings * spacing * random.normal() / std::sqrt(static_cast<double>(d));
+        }
+        std::array<double, 3> time{};
+        for (std::size_t j = 0; j < ways.size(); ++j) {
+            const std::size_t turn = (j + static_cast<std::size_t>(k + first)) % ways.size();
+            Move_result r;
+            time[turn] = seconds([&] { r = meshes[turn].move_all(std::span<const Coordinates<d>>(x), Box<d>(box)); });
+            if (k < 0) continue;
+            Way& way = ways[turn];
+            way.evaluated += r.statistics.evaluated;
+            way.recomputed += r.statistics.tolerance_recomputations;
+            way.by_tolerances += r.statistics.tolerance_steps;
+            way.within += r.moves.within_tolerance;
+        }
+        if (k < 0) continue;
+        columns.add(0, time[1]);
+        columns.add(1, time[0]);
+        columns.add(2, time[2]);
+    }
+    ordered_json out{{"what", "box"},      {"box", c.box},       {"dimension", d},
+                     {"points", c.points}, {"strain", c.strain}, {"spacings", c.spacings}};
+    columns.write(c.points, out);
+    // Cells, and their facets, each between two of them.
+    const double certificates = static_cast<double>(meshes[0].number_of_cells()) * (1 + (d + 1) / 2.0);
+    const double steps = c.repeat;
+    bool right = true;
+    for (std::size_t j = 0; j < ways.size(); ++j) {
+        const Way& way = ways[j];
+        // What was computed again because the box had changed too much counts, too.
+        out[way.name]["expired"] = static_cast<double>(way.evaluated) / certificates / steps;
+        out[way.name]["recomputed"] = way.recomputed;
+        out[way.name]["by_tolerances"] = static_cast<double>(way.by_tolerances) / steps;
+        out[way.name]["within"] = static_cast<double>(way.within) / static_cast<double>(c.points) / steps;
+        right = right && meshes[j].audit().delaunay();
+    }
+    out["right"] = right;
+    say(out, c.json);
+}
+
 template <int d>
 void run(const Choice& c) {
-    if (c.spacings > 0.0) signs<d>(c);
+    if (!c.box.empty()) in_moving_box<d>(c);
+    else if (c.spacings > 0.0) signs<d>(c);
     else rebuilds<d>(c);
 }
 
@@ -210,6 +284,9 @@ int main(int argc, char** argv) {
     app.add_option("-s,--spacings", choice.spacings, "steps of this length in which both test all signs; 0: rebuilds")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--repeat", choice.repeat)->check(CLI::Range(1, 1000));
+    app.add_option("--box", choice.box, "strained by --strain in each step, with --spacings of jitter, or still")
+        ->check(CLI::IsMember({"npt", "shear", "still"}));
+    app.add_option("--strain", choice.strain)->check(CLI::NonNegativeNumber);
     app.add_flag("--cgal", choice.cgal, "rebuilds in 3D: CGAL's periodic triangulation, too");
     app.add_option("--json", choice.json, "file that a line is appended to");
     CLI11_PARSE(app, argc, argv);
