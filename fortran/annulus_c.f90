@@ -378,6 +378,12 @@ module annulus_c
             integer(c_size_t), value :: capacity
             real(c_double), intent(inout) :: coordinates(*)
         end function
+        integer(c_int) function annulus_periodic_tolerances(mesh, capacity, tolerances) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(inout) :: tolerances(*)
+        end function
         integer(c_int) function annulus_periodic_voronoi(mesh, capacity, volumes) bind(c)
             import
             type(c_ptr), value :: mesh

@@ -17,8 +17,9 @@ from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
 _QUANTITIES = "ijdDSA"
+STRATEGIES = ("auto", "signs", "tolerances")
 _MISSING = ("recompute_tolerances", "convex_hull", "flat_simplices", "vertex_neighbor_vertices", "vertex_to_simplex",
-            "tolerances", "theta", "displacements", "vertex_of_input", "affine_dimension", "edges",
+            "theta", "displacements", "vertex_of_input", "affine_dimension", "edges",
             "voronoi_polytopes", "nearest_vertex", "interpolate")
 
 
@@ -49,6 +50,10 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
     report_changes : bool, optional
         Whether calls list the pairs of neighbours that they make and break: `pairs_made`, `pairs_broken`. Off by
         default, also in `MovingDelaunay` with a box: a call that lists them copies arrays, O(n).
+    strategy : {'auto', 'signs', 'tolerances'}, optional
+        What a `move` tests: all signs, or only certificates of points that have left their tolerances, which are those
+        of ways relative to the box; by default tolerances while they pay, judged by counts of work. Results do not
+        depend on it.
 
     Raises
     ------
@@ -59,10 +64,9 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
 
     Notes
     -----
-    A `move` tests all signs and flips where one fails; where flips are stuck or would cost more it rebuilds, which
-    costs what constructing costs. There are no tolerances and no lists of simplices that change with a box yet:
-    what `MovingDelaunay` has and this class has not raises a `NotAvailableError`, which is an `Error`, a
-    `NotImplementedError` and an `AttributeError`.
+    A `move` flips where a sign fails; where flips are stuck or would cost more it rebuilds, which costs what
+    constructing costs. There are no lists of simplices that change with a box yet: what `MovingDelaunay` has and this
+    class has not raises a `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
 
     Vertices have indices in the order of the points. Removing a vertex makes its index free: `points` and what is by
     vertex are NaN there. The next insertion takes the index that was freed last.
@@ -84,18 +88,22 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
     _mesh: _core.Periodic2 | _core.Periodic3
     _threads: int
     _report_changes: bool
+    _strategy: str
 
-    def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1, report_changes: bool = False) -> None:
+    def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1, report_changes: bool = False,
+                 strategy: str = "auto") -> None:
         threads = _arguments.whole("threads", threads, 1, 2**31 - 1)
         report_changes = _arguments.truth("report_changes", report_changes)
+        strategy = _arguments.choice("strategy", strategy, STRATEGIES)
         array = _plain(points)
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise Error(f"points must have shape (n, 2) or (n, 3), not {array.shape if array.ndim <= 8 else '(..)'}",
                         "wrong_size")
         kind = _core.Periodic2 if array.shape[1] == 2 else _core.Periodic3
-        self._mesh = kind.build(array, box, threads, report_changes)
+        self._mesh = kind.build(array, box, threads, report_changes, strategy)
         self._threads = threads
         self._report_changes = report_changes
+        self._strategy = strategy
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
         """Moves all points, and gives the box another shape.
@@ -110,8 +118,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
         Returns
         -------
         MoveResult
-            All points are `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and edges are not
-            available: they raise an `Error` with the code ``usage``.
+            All points are `within_tolerance`, `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and
+            edges are not available: they raise an `Error` with the code ``usage``.
 
         Raises
         ------
@@ -168,6 +176,17 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
         """ndarray of float64, shape (npoints, d): the positions as they were given, each coordinate rounded to the
         grid of the box (to the nearest double where a point is more than eight boxes away); NaN at free indices."""
         return self._mesh.points
+
+    @property
+    def tolerances(self) -> Floats:
+        """ndarray of float64, shape (npoints,): a lower bound of how far each point may be from where it is, while the
+        box stays and every other point moves by no more than its own bound: no simplex changes. NaN at free indices.
+
+        While tolerances are kept (`strategy`; insertions and removals end them) these are what is left of them;
+        otherwise all certificates are evaluated, which in 3D takes a few microseconds a point. Of points more than
+        eight boxes away from the origin it holds for moves relative to where they are in the box.
+        """
+        return self._mesh.tolerances
 
     @property
     def box(self) -> Floats:
@@ -316,8 +335,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
 
     @property
     def strategy(self) -> str:
-        """str: ``auto``, also where ``rebuild`` was given: a move flips, and rebuilds where that would cost more."""
-        return "auto"
+        """str: ``auto``, also where ``rebuild`` was given, ``signs`` or ``tolerances``."""
+        return self._strategy
 
     def __getattr__(self, name: str) -> typing.Any:
         if name in _MISSING:
@@ -348,7 +367,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
         places, more = state["places"], state["more"]
         kind = _core.Periodic2 if places.shape[1] == 2 else _core.Periodic3
         self._mesh = kind.build_again(state["vectors"], places, state["images"], state.get("free_indices", ()),
-                                      more["_threads"], more.setdefault("_report_changes", False))
+                                      more["_threads"], more.setdefault("_report_changes", False),
+                                      more.setdefault("_strategy", "auto"))
         self.__dict__.update(more)
 
 
@@ -371,11 +391,12 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
                   merge_duplicates: bool = False, threads: int = 1, *, box: ArrayLike, report_changes: bool = False,
                   seed: int = 0) -> PeriodicDelaunay:
     """What `MovingDelaunay` returns when it is given a box."""
-    options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
-    if options["strategy"] not in ("auto", "rebuild"):
-        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box yet: there are no "
-                                "tolerances")
+    options = _arguments.options("auto" if strategy == "signs" else strategy, tolerance, merge_duplicates, threads,
+                                 report_changes, seed)
+    if options["strategy"] not in ("rebuild", *STRATEGIES):
+        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box")
     for name, usual in (("tolerance", "certified"), ("merge_duplicates", False)):
         if options[name] != usual:
             raise NotAvailableError(f"{name}={options[name]!r} is not available with a periodic box yet")
-    return PeriodicDelaunay(points, box, options["threads"], options["report_changes"])
+    return PeriodicDelaunay(points, box, options["threads"], options["report_changes"],
+                            "auto" if strategy == "rebuild" else strategy)

@@ -82,6 +82,12 @@ Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& pla
     return saved;
 }
 
+Periodic_strategy strategy_of(const std::string& name) {
+    const auto strategy = periodic_strategy_named(name);
+    if (!strategy) throw Error(Error_code::usage, "there is no strategy " + name + " in a periodic box");
+    return *strategy;
+}
+
 /// A Periodic_mesh that threads of Python may share: a thread that computes holds the lock and not the GIL.
 template <int d>
 class Periodic {
@@ -110,6 +116,9 @@ class Periodic {
         return py::make_tuple(give_rows(std::vector(s.vectors.begin(), s.vectors.end())),
                               give_rows(std::move(s.places)), give_rows(std::move(s.images)),
                               give(std::move(s.free_indices)));
+    }
+    py::array tolerances() const {
+        return give(locked([&] { return mesh_.tolerances(); }));
     }
     py::array points() const {
         return give_rows(locked([&] { return std::vector(mesh_.points().begin(), mesh_.points().end()); }));
@@ -230,14 +239,16 @@ void add_periodic_mesh(py::module_& m, const char* name) {
     using P = Periodic<d>;
     py::class_<P>(m, name, not_by_new())
         .def_static("build",
-                    [](const py::object& points, const py::object& box, int threads, bool report_changes) {
-                        return std::make_unique<P>(points, box, Periodic_options{threads, report_changes});
+                    [](const py::object& points, const py::object& box, int threads, bool report_changes,
+                       const std::string& strategy) {
+                        return std::make_unique<P>(points, box,
+                                                   Periodic_options{threads, report_changes, strategy_of(strategy)});
                     })
         .def_static("build_again",
                     [](const py::object& vectors, const py::object& places, const py::object& images,
-                       const py::object& free_indices, int threads, bool report_changes) {
+                       const py::object& free_indices, int threads, bool report_changes, const std::string& strategy) {
                         return std::make_unique<P>(saved_of<d>(vectors, places, images, free_indices),
-                                                   Periodic_options{threads, report_changes});
+                                                   Periodic_options{threads, report_changes, strategy_of(strategy)});
                     })
         .def("state", &P::state)
         .def("move", &P::move)
@@ -253,6 +264,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("voronoi_jacobian", &P::voronoi_jacobian)
         .def("audit", &P::audit)
         .def_property_readonly("points", &P::points)
+        .def_property_readonly("tolerances", &P::tolerances)
         .def_property_readonly("box", &P::box)
         .def_property_readonly("simplices", &P::simplices)
         .def_property_readonly("simplex_offsets", &P::simplex_offsets)

@@ -301,7 +301,7 @@ def test_pairs_that_a_call_makes_and_breaks():
 
 def test_what_is_not_there_yet_says_so():
     dt = annulus.MovingDelaunay(points(9), box=[1, 1, 1])
-    for name in ("recompute_tolerances", "edges", "tolerances", "convex_hull", "theta"):
+    for name in ("recompute_tolerances", "edges", "convex_hull", "theta"):
         with pytest.raises(annulus.NotAvailableError, match=name):
             getattr(dt, name)
         with pytest.raises(NotImplementedError):
@@ -311,7 +311,7 @@ def test_what_is_not_there_yet_says_so():
         if not name.startswith("_") and not hasattr(dt, name):
             with pytest.raises(annulus.NotAvailableError, match=name):
                 getattr(dt, name)
-    for options in ({"strategy": "tolerances"}, {"tolerance": "paper", "strategy": "paper"},
+    for options in ({"strategy": "in-place"}, {"tolerance": "paper", "strategy": "paper"},
                     {"merge_duplicates": True}):
         with pytest.raises(annulus.NotAvailableError):
             annulus.MovingDelaunay(points(9), box=[1, 1, 1], **options)
@@ -327,3 +327,29 @@ def test_what_is_not_there_yet_says_so():
         Derived(points(9), box=[1, 1, 1])
     with pytest.raises(TypeError):
         annulus.MovingDelaunay(points(9), box=[1, 1, 1], colour="red")
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_tolerances(d):
+    """Those of every strategy are safe; a box that is strained with its points leaves nearly all within theirs."""
+    rng = np.random.default_rng(d)
+    x, box = points(80, d), np.ones(d)
+    for strategy in ("auto", "signs", "tolerances"):
+        dt = annulus.MovingDelaunay(x, box=box, strategy=strategy)
+        assert dt.strategy == strategy
+        for step in range(4):
+            scale = 1 + 1e-5 * step
+            result = dt.move(scale * x, scale * box)
+        assert (result.within_tolerance > 70) == (strategy != "signs")
+        assert pickle.loads(pickle.dumps(dt)).strategy == strategy
+        tolerances = dt.tolerances
+        assert tolerances.shape == (80,) and (tolerances >= 0).all() and np.median(tolerances) > 1e-3
+        way = rng.standard_normal(x.shape)
+        way *= 0.999 * tolerances[:, None] / np.linalg.norm(way, axis=1)[:, None]
+        before = {tuple(sorted(s)) for s in dt.simplices.tolist()}
+        assert dt.move(dt.points + way).flipped == 0
+        assert {tuple(sorted(s)) for s in dt.simplices.tolist()} == before
+        dt.remove(3)
+        assert np.isnan(dt.tolerances[3])
+    with pytest.raises(annulus.Error, match="strategy"):
+        annulus.PeriodicDelaunay(x, box, strategy="rebuild")

@@ -376,9 +376,10 @@ ANNULUS_API int annulus_t1(const annulus_mesh* mesh, size_t capacity, int32_t* v
 // how many of each vector of the box a point is moved. Rules, errors and messages are as above, with the handle of this
 // kind. Every call that changes something is all or nothing.
 
-// As annulus_create. Of the options `threads` and `report_changes` may be set, and `strategy` to "auto". Two points
-// that are, rounded, images of one another are DUPLICATE_POINT; a box that is not possible is USAGE; a point more than
-// 2^29 boxes away is OUT_OF_DOMAIN.
+// As annulus_create. Of the options `threads` and `report_changes` may be set, and `strategy` to "signs", which tests
+// all signs in a move, to "tolerances", or to "auto", tolerances while they pay. Two points that are, rounded, images
+// of one another are DUPLICATE_POINT; a box that is not possible is USAGE; a point more than 2^29 boxes away is
+// OUT_OF_DOMAIN.
 ANNULUS_API int annulus_periodic_create(annulus_periodic** mesh, int dimension, size_t points,
                                         const double* coordinates, const double* box, const annulus_options* options);
 ANNULUS_API void annulus_periodic_destroy(annulus_periodic** mesh);
@@ -387,7 +388,7 @@ ANNULUS_API size_t annulus_periodic_message(const annulus_periodic* mesh, char* 
 ANNULUS_API size_t annulus_periodic_error_vertices(const annulus_periodic* mesh, size_t capacity, int32_t* vertices);
 
 // Moves every vertex; points at free indices are not read. `points` must be annulus_periodic_index_bound. box: NULL
-// leaves the box as it was given. Tests all signs and flips, or builds where that costs less: O(n) or O(n log n).
+// leaves the box as it was given. Tests signs and flips, or builds where that costs less: O(n) or O(n log n).
 // report: optional; `changed` is 0.
 // Errors: those of annulus_periodic_create, and WRONG_SIZE.
 ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const double* coordinates,
@@ -411,6 +412,10 @@ ANNULUS_API int annulus_periodic_box(const annulus_periodic* mesh, double* box);
 
 // Arrays by vertex index, as above. The points as they were given, rounded, NaN at free indices.
 ANNULUS_API int annulus_periodic_points(const annulus_periodic* mesh, size_t capacity, double* coordinates);
+// Lower bounds of how far each vertex may be from its place while the box stays and every other vertex is within its
+// own: no cell changes. What is left of tolerances that are kept, or all certificates are evaluated. NaN at free
+// indices. Errors: ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_tolerances(const annulus_periodic* mesh, size_t capacity, double* tolerances);
 // Areas or volumes of the Voronoi cells, which add up to that of the box: relative error 2^-33, NaN at free indices.
 // Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_periodic_voronoi(const annulus_periodic* mesh, size_t capacity, double* volumes);

@@ -32,7 +32,7 @@ static int is_delaunay(const annulus_periodic* mesh) {
 static void check_lists(const annulus_periodic* mesh, int d, double volume) {
     static int32_t first[most], second[most], shifts[3 * most], vertices[4 * most], offsets[12 * most],
         neighbours[4 * most], translations[12 * most];
-    static double vectors[3 * most], distances[most], areas[most], volumes[most], x[3 * most];
+    static double vectors[3 * most], distances[most], areas[most], volumes[most], tolerances[most], x[3 * most];
     double box[9], sum = 0;
     size_t bound = 0, pairs = 0, cells = 0;
     int dimension = 0;
@@ -42,10 +42,12 @@ static void check_lists(const annulus_periodic* mesh, int d, double volume) {
     CHECK_STATUS(annulus_periodic_box(mesh, box), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_points(mesh, bound, x), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_voronoi(mesh, bound, volumes), ANNULUS_OK);
+    CHECK_STATUS(annulus_periodic_tolerances(mesh, bound, tolerances), ANNULUS_OK);
     for (size_t i = 0; i < bound; ++i) {
         int there = 0;
         CHECK_STATUS(annulus_periodic_is_vertex(mesh, (int32_t)i, &there), ANNULUS_OK);
         CHECK(isnan(volumes[i]) == !there && isnan(x[(size_t)d * i]) == !there);
+        CHECK(there ? tolerances[i] >= 0 : isnan(tolerances[i]));
         if (there) sum += volumes[i];
     }
     CHECK(fabs(sum - volume) < 1e-9 * volume);
@@ -113,7 +115,7 @@ static void check_crystal(void) {
         moved[3 * i] += 0.125 * copper[3 * i + 1];
     }
     CHECK_STATUS(annulus_periodic_move_all(mesh, 4, moved, sheared, &report), ANNULUS_OK);
-    CHECK(report.asked == 4 && report.kept_in_place + report.flipped + report.rebuilt == 4);
+    CHECK(report.asked == 4 && report.within_tolerance + report.kept_in_place + report.flipped + report.rebuilt == 4);
     check_lists(mesh, 3, 1);
     CHECK(is_delaunay(mesh));
     CHECK_STATUS(annulus_periodic_pairs_made(mesh, 0, NULL, NULL, NULL, &made), ANNULUS_OK);
@@ -223,9 +225,9 @@ static void check_refusals(void) {
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, not_a_number, NULL), ANNULUS_NOT_FINITE);
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
     options.size = sizeof options;
-    options.strategy = "tolerances";
+    options.strategy = "in-place";
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
-    options.strategy = "auto";
+    options.strategy = "tolerances";
     options.merge_duplicates = 1;
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
     options.merge_duplicates = 0;
@@ -253,6 +255,8 @@ static void check_refusals(void) {
     CHECK_STATUS(annulus_periodic_points(mesh, 3, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_voronoi(mesh, 3, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_voronoi(mesh, 4, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_periodic_tolerances(mesh, 3, x), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_periodic_tolerances(mesh, 4, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_periodic_box(mesh, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_periodic_cells(mesh, 0, NULL, NULL, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_periodic_audit(mesh, NULL), ANNULUS_NULL_POINTER);

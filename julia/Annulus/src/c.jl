@@ -376,6 +376,11 @@ function annulus_periodic_points(mesh, capacity, coordinates)
                  mesh, capacity, coordinates)
 end
 
+function annulus_periodic_tolerances(mesh, capacity, tolerances)
+    return ccall((:annulus_periodic_tolerances, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}),
+                 mesh, capacity, tolerances)
+end
+
 function annulus_periodic_voronoi(mesh, capacity, volumes)
     return ccall((:annulus_periodic_voronoi, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}),
                  mesh, capacity, volumes)

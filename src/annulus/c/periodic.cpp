@@ -30,14 +30,6 @@ Box<d> as_box(const double* box) {
     return Box<d>(vectors);
 }
 
-Periodic_options periodic_options_of(const annulus_options* given) {
-    const Options options = options_of(given);
-    if (options.strategy != Strategy::automatic || options.tolerance != Options{}.tolerance || options.merge_duplicates)
-        throw Refused(ANNULUS_USAGE,
-                      "in a periodic box annulus_options may set threads and report_changes, and strategy to \"auto\"");
-    return {.threads = options.threads, .report_changes = options.report_changes};
-}
-
 template <class To, class Read>
 int answer(const annulus_periodic* mesh, To* to, const char* name, Read read) {
     return on(mesh, [&](const auto& boxed) {
@@ -154,6 +146,13 @@ int annulus_periodic_points(const annulus_periodic* mesh, size_t capacity, doubl
         require_room(capacity, boxed.mesh().index_bound(), "vertices");
         require(coordinates, capacity, "coordinates");
         copy_flat(boxed.mesh().points(), coordinates);
+    });
+}
+int annulus_periodic_tolerances(const annulus_periodic* mesh, size_t capacity, double* tolerances) {
+    return on(mesh, [&](const auto& boxed) {
+        require_room(capacity, boxed.mesh().index_bound(), "vertices");
+        require(tolerances, capacity, "tolerances");
+        copy_flat(boxed.mesh().tolerances(), tolerances);
     });
 }
 int annulus_periodic_voronoi(const annulus_periodic* mesh, size_t capacity, double* volumes) {

@@ -16,13 +16,11 @@ void choose(Value& value, const char* name, std::optional<Value> (*named)(std::s
     value = *found;
 }
 
-}  // namespace
-
-Options options_of(const annulus_options* given) {
-    Options options;
-    if (given == nullptr) return options;
-    require_struct(given->size, sizeof(given->size), "annulus_options");
+/// What is given, as this version knows it.
+annulus_options known_of(const annulus_options* given) {
     annulus_options known{};
+    if (given == nullptr) return known;
+    require_struct(given->size, sizeof(given->size), "annulus_options");
     std::memcpy(&known, given, std::min(given->size, sizeof known));
     // A caller compiled with a later version of the header must leave the members unknown to this library at 0.
     const auto* beyond = reinterpret_cast<const unsigned char*>(given);
@@ -30,8 +28,12 @@ Options options_of(const annulus_options* given) {
         if (beyond[i] != 0)
             throw Refused(ANNULUS_USAGE, "annulus_options sets options that this version of the library does not have");
     if (known.reserved != 0) throw Refused(ANNULUS_USAGE, "annulus_options.reserved is not 0");
-    choose(options.strategy, known.strategy, strategy_named, "strategy",
-           "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
+    return known;
+}
+
+/// All but the strategy.
+Options others_of(const annulus_options& known) {
+    Options options;
     choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
         throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");
@@ -39,6 +41,31 @@ Options options_of(const annulus_options* given) {
     options.merge_duplicates = known.merge_duplicates != 0;
     options.report_changes = known.report_changes != 0;
     options.seed = known.seed;
+    return options;
+}
+
+}  // namespace
+
+Options options_of(const annulus_options* given) {
+    const annulus_options known = known_of(given);
+    Strategy strategy = Options{}.strategy;
+    choose(strategy, known.strategy, strategy_named, "strategy",
+           "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
+    Options options = others_of(known);
+    options.strategy = strategy;
+    return options;
+}
+
+Periodic_options periodic_options_of(const annulus_options* given) {
+    const annulus_options known = known_of(given);
+    Periodic_options options;
+    choose(options.strategy, known.strategy, periodic_strategy_named, "strategy in a periodic box",
+           "auto, signs, tolerances");
+    const Options others = others_of(known);
+    if (others.tolerance != Options{}.tolerance || others.merge_duplicates)
+        throw Refused(ANNULUS_USAGE, "in a periodic box annulus_options may set threads, report_changes and strategy");
+    options.threads = others.threads;
+    options.report_changes = others.report_changes;
     return options;
 }
 

@@ -4,6 +4,7 @@
 // The structs of annulus.h, which grow: their first member is the size that the caller was compiled with.
 
 #include <annulus/c/barrier.h>
+#include <annulus/periodic_mesh.h>
 
 #include <algorithm>
 #include <cstring>
@@ -27,6 +28,8 @@ void write_struct(Struct* to, Struct value) {
 
 /// NULL gives the defaults. Throws Refused for unknown names and invalid sizes.
 [[nodiscard]] Options options_of(const annulus_options* given);
+/// The same for a periodic box. Throws Refused for options that it does not have, too.
+[[nodiscard]] Periodic_options periodic_options_of(const annulus_options* given);
 
 inline void require_report(const annulus_report* report) {
     if (report != nullptr) require_struct(report->size, sizeof(report->size), "annulus_report");
