@@ -39,12 +39,12 @@ template <int d>
 struct Periodic_mesh<d>::Parts {
     Parts(std::span<const Point> points, const Box<d>& box, const Periodic_options& chosen)
         : options(chosen), state(placed(points.size(), points, box)) {
-        build(state);
+        build_first();
     }
     Parts(const Saved_periodic_mesh<d>& saved, const Periodic_options& chosen)
         : options(chosen),
           state(placed(saved.places.size(), saved.vectors, saved.places, saved.images, saved.free_indices)) {
-        build(state);
+        build_first();
     }
 
     template <class... Of>
@@ -55,7 +55,10 @@ struct Periodic_mesh<d>::Parts {
             throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " points");
         return Periodic_state<d>(std::forward<Of>(of)...);
     }
-    void build(Periodic_state<d>& at) { builder.build(at.lattice, at.place, options.threads, at.table); }
+    void build_first() {
+        builder.build(state.lattice, state.place, options.threads, state.table);
+        builder.release();  // some meshes are never built again
+    }
 
     /// The same box is of the same bits.
     [[nodiscard]] Periodic_state<d> moved(std::span<const Point> points, const typename Box<d>::Vectors& box) {

@@ -3,6 +3,7 @@
 #include <annulus/engine/certificate_checker.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -10,7 +11,6 @@ template <int d>
 void Certificate_checker<d>::begin(std::span<const Coordinates<d>> x) {
     clear();
     x_ = x;
-    grow(entries_of_, table_.cell_bound());
     changing_ = false;
 }
 
@@ -28,18 +28,25 @@ void Certificate_checker<d>::clear() {
 template <int d>
 void Certificate_checker<d>::assign_places() {
     if (placed_) return;
+    grow(entries_of_, table_.cell_bound());  // first, because it may throw
     placed_ = true;
     for (std::size_t i = 0; i < facets_.size(); ++i)
         enter(facets_[i], Corner_table<d>::cell_of(facets_[i].id), facet_place(i));
     for (std::size_t i = 0; i < cells_.size(); ++i) enter(cells_[i], cells_[i].id, cell_place(i));
 }
 
+/// The first entry of a cell. The array has no memory before it is needed: signs alone never do.
+template <int d>
+auto Certificate_checker<d>::first_entry_of(Cell_index cell) -> Place& {
+    if (!entries_of_.has(cell)) grow(entries_of_, std::max(table_.cell_bound(), Cell_index(cell.value() + 1)));
+    return entries_of_[cell];
+}
+
 /// Links an entry into the list of its cell.
 template <int d>
 template <class S>
 void Certificate_checker<d>::enter(S& s, Cell_index cell, Place place) {
-    s.next = entries_of_[cell];
-    entries_of_[cell] = place;
+    s.next = std::exchange(first_entry_of(cell), place);
 }
 
 /// The entry of facet f; created if there is none.
@@ -47,8 +54,7 @@ template <int d>
 auto Certificate_checker<d>::entry(Corner_index f) -> Pending_facet& {
     assign_places();
     const Cell_index c = Corner_table<d>::cell_of(f);
-    if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
-    for (Place p = entries_of_[c]; p != 0; p = next(p))
+    for (Place p = first_entry_of(c); p != 0; p = next(p))
         if (is_facet_place(p) && facets_[place(p)].id == f) return facets_[place(p)];
     facets_.emplace_back();
     enter(facets_.back(), c, facet_place(facets_.size() - 1));
@@ -58,8 +64,7 @@ auto Certificate_checker<d>::entry(Corner_index f) -> Pending_facet& {
 template <int d>
 auto Certificate_checker<d>::entry(Cell_index c) -> Pending_cell& {
     assign_places();
-    if (!entries_of_.has(c)) grow(entries_of_, c.offset() + 1);
-    for (Place p = entries_of_[c]; p != 0; p = next(p))
+    for (Place p = first_entry_of(c); p != 0; p = next(p))
         if (!is_facet_place(p)) return cells_[place(p)];
     cells_.emplace_back();
     enter(cells_.back(), c, cell_place(cells_.size() - 1));
@@ -93,6 +98,26 @@ void Certificate_checker<d>::add_facet(Corner_index f) {
 template <int d>
 void Certificate_checker<d>::add_cell(Cell_index c) {
     describe(entry(c), c);
+}
+
+template <int d>
+void Certificate_checker<d>::add_new_facet(Corner_index f) {
+    placed_ = placed_ && !(facets_.empty() && cells_.empty());
+    describe(placed_ ? entry(f) : facets_.emplace_back(), f);
+}
+
+template <int d>
+void Certificate_checker<d>::add_new_cell(Cell_index c) {
+    placed_ = placed_ && !(facets_.empty() && cells_.empty());
+    describe(placed_ ? entry(c) : cells_.emplace_back(), c);
+}
+
+template <int d>
+void Certificate_checker<d>::release_memory() noexcept {
+    placed_ = true;
+    release(facets_);
+    release(cells_);
+    release(entries_of_);
 }
 
 template <int d>

@@ -37,11 +37,16 @@ class Certificate_checker {
     void begin(std::span<const Coordinates<d>> x);
     /// Removes all entries.
     void clear();
+    /// The same, and frees their memory.
+    void release_memory() noexcept;
     /// The table is going to change: from now on entries may cease to exist.
     void note_changes() { assign_places(), changing_ = true; }
 
     void add_facet(Corner_index f);
     void add_cell(Cell_index c);
+    /// The same where the facet, or the cell, has no entry yet: nothing is searched.
+    void add_new_facet(Corner_index f);
+    void add_new_cell(Cell_index c);
     /// Adds every certificate that contains v.
     void add_star(Index v);
     /// Adds every certificate of these cells and of their facets.
@@ -84,6 +89,7 @@ class Certificate_checker {
     [[nodiscard]] Place next(Place p) const {
         return is_facet_place(p) ? facets_[place(p)].next : cells_[place(p)].next;
     }
+    [[nodiscard]] Place& first_entry_of(Cell_index cell);
     template <class S>
     void enter(S& s, Cell_index cell, Place place);
     [[nodiscard]] Pending_facet& entry(Corner_index f);
@@ -102,7 +108,7 @@ class Certificate_checker {
     std::vector<Pending_facet> facets_;
     std::vector<Pending_cell> cells_;
     By_cell<Place> entries_of_;  // the first entry of a cell and its facets; the others are linked from it
-    bool placed_ = true;         // false: entries_of_ is still to be filled; a star has no certificate twice
+    bool placed_ = true;         // false: entries_of_ is still to be filled; no certificate is in the list twice
     bool changing_ = false;
 };
 

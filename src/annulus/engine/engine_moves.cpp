@@ -165,6 +165,7 @@ void Engine<d>::move_everything(std::span<const Point> points, Move_result& repo
     if (strategy_->repairs() && mesh_.dimension() != d) rebuild_all(points, report);
     else if (strategy_->is_sequential()) move_sequentially(points, report);
     else strategy_->move_all(points, report);
+    mesh_.end_step();
 }
 
 template <int d>

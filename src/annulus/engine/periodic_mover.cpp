@@ -52,6 +52,7 @@ Move_result Periodic_mover<d>::move(Periodic_state<d>& state, Periodic_state<d> 
     if (repaired.done && !rests) consider(state, next, result.statistics);
     std::swap<Placed_points<d>>(spare_, state);
     state = std::move(next);
+    builder_.end_step();
     result.moves.asked = n;
     result.moves.flipped = repaired.flipped;
     if (!repaired.done) result.moves.rebuilt = n;

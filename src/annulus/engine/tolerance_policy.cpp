@@ -52,7 +52,7 @@ double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_c
     const Index stride = 1 + bound / 1024;
     checker.begin(x);
     for (Index f = 0; f < bound; f += stride)
-        if (table.is_facet(Corner_index(f))) checker.add_facet(Corner_index(f));
+        if (table.is_facet(Corner_index(f))) checker.add_new_facet(Corner_index(f));
     const Stage_counts counts = checker.evaluate();
     report.statistics.evaluated += counts.total();
     report.statistics.arithmetic += counts;

@@ -197,6 +197,7 @@ void Tolerance_strategy<d>::finish(Step<d>& step, Move_result& report) {
     if (displacement_budget_.kept() && (step.scope == Scope::everything || step.rebuilt)) drop_tolerances();
     if (too_expensive) rebuild_from_now_on();
     if (!displacement_budget_.kept() && !alone) tolerance_policy_.note_step_without_tolerances();
+    if (!displacement_budget_.kept()) release(step.before);
     if (step.x.data() != position_.data()) std::copy(step.x.begin(), step.x.end(), position_.begin());
 }
 

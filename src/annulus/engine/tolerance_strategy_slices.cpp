@@ -30,11 +30,11 @@ void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, st
         const Corner_index f(i);
         if (!table_.is_facet(f)) return;
         if (changes && (changed(table_.cell_of(f)) || changed(table_.cell_of(table_.twin(f))))) return;
-        checker.add_facet(f);
+        checker.add_new_facet(f);
     });
     in_blocks(std::max(slice.first, facets) - facets, std::max(slice.second, facets) - facets, [&](Index i) {
         const Cell_index c(i);
-        if (table_.is_cell(c) && !changed(c)) checker.add_cell(c);
+        if (table_.is_cell(c) && !changed(c)) checker.add_new_cell(c);
     });
 }
 

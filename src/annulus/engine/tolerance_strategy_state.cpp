@@ -102,6 +102,7 @@ template <int d>
 void Tolerance_strategy<d>::drop_tolerances() {
     slices_.end();
     displacement_budget_.drop();
+    repair_.checker().release_memory();
     tolerance_policy_.note_dropped();
 }
 

@@ -16,23 +16,29 @@
 namespace annulus::inline v1 {
 
 template <int d>
-Delaunay_mesh<d>::Delaunay_mesh() : builder_(std::make_unique<Builder<d>>()) {}
+Delaunay_mesh<d>::Delaunay_mesh() = default;
 
 template <int d>
 Delaunay_mesh<d>::~Delaunay_mesh() = default;
+
+template <int d>
+void Delaunay_mesh<d>::end_step() noexcept {
+    builder_.end_step();
+}
 
 template <int d>
 void Delaunay_mesh<d>::build(std::span<const Coordinates<d>> x, std::span<const Index> free) {
     vertices_.assign(x.size());
     for (const Index v : free) vertices_.erase(v);
     rebuild(x);
-    builder_->release();  // some meshes are never rebuilt
+    builder_.release();  // some meshes are never rebuilt
 }
 
 template <int d>
 void Delaunay_mesh<d>::rebuild(std::span<const Coordinates<d>> x) {
-    if (builder_->build(x, vertices_.list(), threads_)) {
-        builder_->copy_to(table_, x.size(), threads_);
+    Builder<d>& builder = builder_.get();
+    if (builder.build(x, vertices_.list(), threads_)) {
+        builder.copy_to(table_, x.size(), threads_);
         basis_.clear();
         dimension_ = d;
         return;
@@ -79,9 +85,10 @@ void Delaunay_mesh<d>::clear_cells() noexcept {
 /// engine may have recorded some indices.
 template <int d>
 void Delaunay_mesh<d>::replace_everything(std::span<const Coordinates<d>> x, std::vector<Cell_index>& made) {
-    if (!builder_->build(x, vertices_.list())) throw std::logic_error("points that had cells are flat");
+    Builder<d>& builder = builder_.get();
+    if (!builder.build(x, vertices_.list())) throw std::logic_error("points that had cells are flat");
     std::vector<Cell_sites<d>> cells;
-    builder_->for_each_cell([&cells](std::uint32_t, const Cell_sites<d>& cell, const auto&) { cells.push_back(cell); });
+    builder.for_each_cell([&cells](std::uint32_t, const Cell_sites<d>& cell, const auto&) { cells.push_back(cell); });
     std::vector<Cell_index> old;
     for (const Cell_index c : table_.cells()) old.push_back(c);
     replace_cells<d>(table_, old, cells, made);

@@ -3,12 +3,12 @@
 
 #include <annulus/kernel/cavity_retriangulator.h>
 #include <annulus/kernel/flat_cells.h>
+#include <annulus/kernel/kept_buffers.h>
 #include <annulus/kernel/vertex_set.h>
 #include <annulus/mesh/corner_table.h>
 #include <annulus/mesh/landmarks.h>
 #include <annulus/types.h>
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -42,6 +42,10 @@ class Delaunay_mesh {
     /// Where insertions and moves begin the search for their position, and how far they have walked.
     [[nodiscard]] const Landmarks<d>& landmarks() const { return landmarks_; }
 
+    /// A time step has ended: the buffers of rebuilds may be freed (Kept_buffers).
+    void end_step() noexcept;
+    /// Whether there are such buffers.
+    [[nodiscard]] bool holds_buffers() const { return builder_.hold_memory(); }
     /// The largest number of threads for a build; the result does not depend on it.
     void set_threads(int threads) { threads_ = threads; }
     /// Builds from nothing; vertex i is x[i]. Throws Error(duplicate_point), naming the pair, when two points are
@@ -119,7 +123,7 @@ class Delaunay_mesh {
     // Affinely independent vertices with the affine hull of all, where that is a hyperplane or less.
     std::vector<Index> basis_;
     int threads_ = 1;
-    std::unique_ptr<Builder<d>> builder_;
+    Kept_buffers<Builder<d>> builder_;
     Cavity_retriangulator<d> local_{table_};
     Landmarks<d> landmarks_;
 };
