@@ -2,6 +2,7 @@
 #pragma once
 
 // The costs of engine/cost_model.h, measured once.
+#include "sign_costs.h"
 #include "timing.h"
 #include "workbench.h"
 
@@ -29,19 +30,12 @@ class Repetition {
         : n_(n), all_(static_cast<double>(n)), seed_(seed), w_("uniform", n, seed) {}
 
     ordered_json measure() {
-        counts();
-        find_unit();
-        building();
-        find_unit();
-        recomputation();
-        find_unit();
-        steps_of_tolerances();
-        find_unit();
-        steps_of_signs();
-        find_unit();
-        doubtful_signs();
-        find_unit();
-        later_stages();
+        for (const auto part : {&Repetition::counts, &Repetition::building, &Repetition::recomputation,
+                                &Repetition::steps_of_tolerances, &Repetition::steps_of_signs,
+                                &Repetition::doubtful_signs, &Repetition::signs_by_stage, &Repetition::later_stages}) {
+            find_unit();
+            (this->*part)();
+        }
         return out_;
     }
 
@@ -237,6 +231,13 @@ class Repetition {
         const double unclear =
             static_cast<double>(sample.unclear) * static_cast<double>(cells) / static_cast<double>(sample.cells);
         out_["unclear"] = (s / unit_ - static_cast<double>(cells)) / unclear;
+    }
+
+    void signs_by_stage() {
+        Sign_costs<d> costs(seed_);
+        out_["integers"] = costs.integers() / unit_;
+        out_["interval"] = costs.interval() / unit_;
+        out_["exact"] = costs.exact() / unit_;
     }
 
     /// Tolerances of bi-cells near a sphere, compared with those of the filter stage: with points so far off that

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Signs that the filter stage could not decide, where no tolerance is needed: src/annulus/predicate/exact_sign.cpp in the plane, by intervals, and where an
-   interval holds 0 by integers. Intervals, scale and integers are those of interval_2.v and integers_2.v; the formulas are the prepared circle's.
+(* Signs that the filter stage could not decide, where no tolerance is needed: src/annulus/predicate/exact_sign.cpp in the plane, by integers where the
+   coordinates have few bits; else by intervals, and where an interval holds 0 by integers. In the code the former have a fixed width, which their
+   determinants do not exceed (integer_signs.cpp); here both are Z. Which of the two decides does not matter to the theorems. Intervals, scale and integers are those of interval_2.v and integers_2.v; the formulas are the prepared circle's.
 
    - exact_orientation_sign_right, exact_empty_sphere_sign_right   of coordinates in the domain the sign is right, 0 included *)
 From Coq Require Import Reals Lra ZArith List.
@@ -32,29 +33,40 @@ End over.
 Definition interval_sign (d : interval) : option Z :=
   if below nought (lower d) then Some 1%Z else if below (upper d) nought then Some (-1)%Z else None.
 Definition sign_of (d : interval) (n : Z) : Z := match interval_sign d with Some s => s | None => Z.sgn n end.
+Definition decided (coordinates : list Z) (d : interval) (n : Z) : Z :=
+  if forallb (fun k => Z.ltb (Z.abs k) (2 ^ 124)) coordinates then Z.sgn n else sign_of d n.
+Definition coordinates_of (l : list (vector integers)) : list Z := flat_map (fun v => [x _ v; y _ v]) l.
 
 Definition exact_orientation_sign (a b c : vector machine) : Z :=
   let s := scale_of (largest_coordinate (pairs b a ++ pairs c a)) in
   let integer v := to_integers (common (numbers [a; b; c])) v in
-  sign_of (turn_of intervals (i_vector s b a) (i_vector s c a))
+  decided (coordinates_of (map integer [a; b; c])) (turn_of intervals (i_vector s b a) (i_vector s c a))
     (turn_of integers (difference _ (integer b) (integer a)) (difference _ (integer c) (integer a))).
 Definition exact_empty_sphere_sign (a b p q : vector machine) : Z :=
   let s := scale_of (largest_coordinate (pairs b a ++ pairs p a ++ pairs q a)) in
   let integer v := to_integers (common (numbers [a; b; p; q])) v in
-  sign_of (circle_of intervals (i_vector s b a) (i_vector s p a) (i_vector s q a))
+  decided (coordinates_of (map integer [a; b; p; q])) (circle_of intervals (i_vector s b a) (i_vector s p a) (i_vector s q a))
     (circle_of integers (difference _ (integer b) (integer a)) (difference _ (integer p) (integer a)) (difference _ (integer q) (integer a))).
 
 (* ---- It is right ---- *)
 
 Definition has_sign (s : Z) (det : R) : Prop := match s with Z0 => det = 0 | Zpos _ => 0 < det | Zneg _ => det < 0 end.
 
+Lemma integer_sign_right n c det : 0 < c -> det = IZR n * c -> has_sign (Z.sgn n) det.
+Proof.
+  intros C E. subst det. destruct n as [|n|n]; simpl; [ring| |]; [assert (0 < IZR (Z.pos n)) by now apply IZR_lt|assert (IZR (Z.neg n) < 0) by now apply IZR_lt]; nra.
+Qed.
 Lemma sign_of_right d n k c det : 0 < k -> 0 < c -> holds d (k * det) -> det = IZR n * c -> has_sign (sign_of d n) det.
 Proof.
   intros K C H E. unfold sign_of, interval_sign. destruct (below nought (lower d)) eqn:P.
   - destruct (positive_end _ _ P H) as (_ & L & L'). simpl. nra.
   - destruct (below (upper d) nought) eqn:N.
     + assert (L := negative_end _ _ N H). simpl. nra.
-    + subst det. destruct n as [|n|n]; simpl; [ring| |]; [assert (0 < IZR (Z.pos n)) by now apply IZR_lt|assert (IZR (Z.neg n) < 0) by now apply IZR_lt]; nra.
+    + now apply integer_sign_right with c.
+Qed.
+Lemma decided_right l d n k c det : 0 < k -> 0 < c -> holds d (k * det) -> det = IZR n * c -> has_sign (decided l d n) det.
+Proof.
+  intros K C H E. unfold decided. destruct (forallb _ l); [now apply integer_sign_right with c|now apply sign_of_right with k c].
 Qed.
 
 Lemma circle_encloses u w v u' w' v' : holds_vector u u' -> holds_vector w w' -> holds_vector v v' ->
@@ -85,7 +97,7 @@ Proof.
   assert (la : In (f a) l) by (simpl; tauto). assert (lb : In (f b) l) by (simpl; tauto). assert (lc : In (f c) l) by (simpl; tauto).
   destruct (vector_encloses s _ _ G B A) as [U1 U2], (vector_encloses s _ _ G C A) as [V1 V2].
   destruct (integers_stand l _ _ lb la) as [X1 X2], (integers_stand l _ _ lc la) as [Y1 Y2].
-  apply sign_of_right with (scale_factor s * scale_factor s) (bpow radix2 k * bpow radix2 k); [now apply Rmult_lt_0_compat|now apply Rmult_lt_0_compat| |].
+  apply decided_right with (scale_factor s * scale_factor s) (bpow radix2 k * bpow radix2 k); [now apply Rmult_lt_0_compat|now apply Rmult_lt_0_compat| |].
   - replace (_ * turn_at ref a b c) with (turn_of reals (scaled_by (scale_factor s) (value (x _ (f a))) (value (y _ (f a))) (value (x _ (f b))) (value (y _ (f b))))
       (scaled_by (scale_factor s) (value (x _ (f a))) (value (y _ (f a))) (value (x _ (f c))) (value (y _ (f c)))))
       by (unfold turn_at, turning, width_2.turn, turn_of, scaled_by; simpl; ring).
@@ -110,7 +122,7 @@ Proof.
   set (to_first r v := scaled_by r (value (x _ (f a))) (value (y _ (f a))) (value (x _ (f v))) (value (y _ (f v)))).
   assert (E : forall r, circle_of reals (to_first r b) (to_first r p) (to_first r q) = r * r * (r * r) * incircle_at ref a b p q)
     by (intro r; unfold incircle_at, width_2.incircle, width_2.turn, circle_of, turn_of, squared, to_first, scaled_by; simpl; ring).
-  apply sign_of_right with (scale_factor s * scale_factor s * (scale_factor s * scale_factor s)) (bpow radix2 k * bpow radix2 k * (bpow radix2 k * bpow radix2 k));
+  apply decided_right with (scale_factor s * scale_factor s * (scale_factor s * scale_factor s)) (bpow radix2 k * bpow radix2 k * (bpow radix2 k * bpow radix2 k));
     [now apply Rmult_lt_0_compat|now apply Rmult_lt_0_compat| |].
   - rewrite <- E. apply circle_encloses; now apply vector_encloses.
   - transitivity (circle_of reals (to_first 1 b) (to_first 1 p) (to_first 1 q)); [rewrite E; ring|].

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* exact_sign_2.v in space: src/annulus/predicate/exact_sign.cpp, by intervals and integers. The determinants are those of the prepared sphere
+(* exact_sign_2.v in space: src/annulus/predicate/exact_sign.cpp, by integers and intervals. The determinants are those of the prepared sphere
    (filter_3.v, circumsphere_from, outside_from_3), operation by operation.
 
    - exact_orientation_sign_3_right, exact_empty_sphere_sign_3_right   of coordinates in the domain the sign is right, 0 included *)
@@ -22,14 +22,18 @@ Definition volume_sign_of (u v t : vector_3 o) : number o := dot o (cross o u v)
 Definition sphere_of (u v w t : vector_3 o) : number o := outside_from_3 o (circumsphere_from o u u v t) w.
 End over.
 
+Definition coordinates_of_3 (l : list (vector_3 integers)) : list Z := flat_map (fun v => [x3 _ v; y3 _ v; z3 _ v]) l.
+
 Definition exact_orientation_sign_3 (a b c d : vector_3 machine) : Z :=
   let s := scale_of (largest_coordinate (pairs_3 b a ++ pairs_3 c a ++ pairs_3 d a)) in
   let to_first v := difference_3 integers (to_integers_3 (common (numbers_3 [a; b; c; d])) v) (to_integers_3 (common (numbers_3 [a; b; c; d])) a) in
-  sign_of (volume_sign_of intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s d a)) (volume_sign_of integers (to_first b) (to_first c) (to_first d)).
+  decided (coordinates_of_3 (map (to_integers_3 (common (numbers_3 [a; b; c; d]))) [a; b; c; d]))
+    (volume_sign_of intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s d a)) (volume_sign_of integers (to_first b) (to_first c) (to_first d)).
 Definition exact_empty_sphere_sign_3 (a b c p q : vector_3 machine) : Z :=
   let s := scale_of (largest_coordinate (pairs_3 b a ++ pairs_3 c a ++ pairs_3 p a ++ pairs_3 q a)) in
   let to_first v := difference_3 integers (to_integers_3 (common (numbers_3 [a; b; c; p; q])) v) (to_integers_3 (common (numbers_3 [a; b; c; p; q])) a) in
-  sign_of (sphere_of intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s p a) (i_vector_3 s q a))
+  decided (coordinates_of_3 (map (to_integers_3 (common (numbers_3 [a; b; c; p; q]))) [a; b; c; p; q]))
+    (sphere_of intervals (i_vector_3 s b a) (i_vector_3 s c a) (i_vector_3 s p a) (i_vector_3 s q a))
     (sphere_of integers (to_first b) (to_first c) (to_first p) (to_first q)).
 
 (* ---- It is right ---- *)
@@ -78,7 +82,7 @@ Proof.
   assert (K : 0 < scale_factor s) by (apply Rmult_lt_0_compat; apply G). set (r := scale_factor s) in *.
   set (l := [a; b; c; d]). set (k := common (numbers_3 l)).
   assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
-  apply sign_of_right with (r * r * r) (bpow radix2 k ^ 3).
+  apply decided_right with (r * r * r) (bpow radix2 k ^ 3).
   - apply Rmult_lt_0_compat; [now apply Rmult_lt_0_compat|exact K].
   - apply pow_lt, bpow_gt_0.
   - rewrite <- volume_of_scaled. apply h_dot; [apply h_cross|]; now apply vector_3_encloses.
@@ -97,7 +101,7 @@ Proof.
   assert (K : 0 < scale_factor s) by (apply Rmult_lt_0_compat; apply G). set (r := scale_factor s) in *.
   set (l := [a; b; c; p; q]). set (k := common (numbers_3 l)).
   assert (S : forall v, In v l -> degrees k 1 _ _) by (intros v I; exact (integers_stand_3 l v a I ltac:(simpl; tauto))).
-  apply sign_of_right with (r * r * r * (r * r)) (bpow radix2 k ^ 5).
+  apply decided_right with (r * r * r * (r * r)) (bpow radix2 k ^ 5).
   - assert (K2 := Rmult_lt_0_compat _ _ K K). exact (Rmult_lt_0_compat _ _ (Rmult_lt_0_compat _ _ K2 K) K2).
   - apply pow_lt, bpow_gt_0.
   - rewrite <- sphere_of_scaled. apply sphere_encloses; now apply vector_3_encloses.

@@ -191,8 +191,9 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
         CHECK(report.moves.rebuilt == 0);
         CHECK(report.statistics.tolerance_recomputations == 0);
         if (spacings > 5.0) CHECK(10 * report.moves.reinserted >= 9 * movers);
-        // Facets of inverted cells have no tolerances that earlier stages could find: they are not evaluated.
-        if (spacings > 5.0 && movers > 1) CHECK(report.statistics.arithmetic.exact < 2 * movers);
+        // Facets of inverted cells have no tolerances that earlier stages could find: they are not evaluated. What the
+        // exact stage decides are signs.
+        if (spacings > 5.0 && movers > 1) CHECK(report.statistics.arithmetic.exact < 5 * movers);
         REQUIRE(std::equal(x.begin(), x.end(), mesh.points().begin()));
     }
     REQUIRE(mesh.audit().delaunay());

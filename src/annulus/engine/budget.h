@@ -10,8 +10,14 @@ namespace annulus::inline v1 {
 struct Budget {
     double limit = std::numeric_limits<double>::infinity();
     double spent = 0.0;
+    double later_stages = 0.0;  ///< what the filter left open, in the weights of doubt_of() (cost_model.h)
 
     void charge(double cost) { spent += cost; }
+    /// For a sign that the filter left open.
+    void charge_later_stage(double cost, double doubt) {
+        spent += cost;
+        later_stages += doubt;
+    }
     [[nodiscard]] bool within_limit() const { return spent <= limit; }
     [[nodiscard]] double left() const { return limit - spent; }
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/predicate/exact_sign.h>
+
 namespace annulus::inline v1 {
 
 /// What work costs, in cells that are tested with all others (Sign_evaluator::test_all_cells, four at a time): 10 ns
@@ -22,12 +24,13 @@ struct Cost_model<2> {
     static constexpr double inverted = 246.0;
     static constexpr double unclear = 20.0;
     // Per event:
-    static constexpr double alone = 3.8;    // a cell tested by itself, not with all others
-    static constexpr double flip = 30.0;    // besides the cells that are tested
-    static constexpr double point = 600.0;  // of a cavity that is rebuilt
-    static constexpr double filter = 1.9;   // a sign by itself
+    static constexpr double alone = 3.8;      // a cell tested by itself, not with all others
+    static constexpr double flip = 30.0;      // besides the cells that are tested
+    static constexpr double point = 600.0;    // of a cavity that is rebuilt
+    static constexpr double filter = 1.9;     // a sign by itself
+    static constexpr double integers = 14.0;  // of fixed width
     static constexpr double interval = 28.0;
-    static constexpr double exact = 200.0;
+    static constexpr double exact = 200.0;         // by integers of any size
     static constexpr double reinsertion = 1900.0;  // of a vertex, besides what is evaluated
     static constexpr double border = 0.8;          // a facet of the border, when it is walked
     // Per event, with tolerances:
@@ -52,6 +55,7 @@ struct Cost_model<3> {
     static constexpr double flip = 35.0;
     static constexpr double point = 380.0;
     static constexpr double filter = 1.9;
+    static constexpr double integers = 19.0;
     static constexpr double interval = 45.0;
     static constexpr double exact = 300.0;
     static constexpr double reinsertion = 3000.0;
@@ -66,6 +70,20 @@ struct Cost_model<3> {
 /// How many times as much failures and evaluations cost in a periodic box, by bench/motions/torus.cpp: certificates are
 /// evaluated at places that are computed, and found without the order that cells of an open mesh have in memory.
 inline constexpr double in_periodic_box = 3.0;
+
+/// The cost of a sign that the filter stage left open, by the stage that decided it.
+template <int d>
+[[nodiscard]] constexpr double cost_of(const Staged_sign& s) {
+    if (s.stage == Stage::interval) return Cost_model<d>::interval;
+    return s.of_any_size ? Cost_model<d>::exact : Cost_model<d>::integers;
+}
+/// How much such a sign counts as a hint that repair is going to cost more than expected (Rebuild_policy::expected,
+/// which was fitted when intervals and integers of any size decided all of them).
+template <int d>
+[[nodiscard]] constexpr double doubt_of(const Staged_sign& s) {
+    if (s.stage == Stage::interval) return Cost_model<d>::interval;
+    return s.of_any_size || s.sign == 0 ? Cost_model<d>::exact : Cost_model<d>::exact / 3.0;
+}
 
 /// Extra cost of the tolerance of a certificate, when a later stage computes it.
 inline constexpr double interval_evaluation_cost = 35.0;

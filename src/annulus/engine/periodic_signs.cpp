@@ -41,7 +41,7 @@ int Periodic_signs<d>::sign(const Places& x) {
     budget_->charge(Cost_model<d>::filter);
     if (const int clear = orientation_sign(corners); clear != 0) return clear;
     const Staged_sign s = exact_orientation_sign(corners);
-    budget_->charge(s.stage == Stage::interval ? Cost_model<d>::interval : Cost_model<d>::exact);
+    budget_->charge_later_stage(cost_of<d>(s), doubt_of<d>(s));
     return s.sign;
 }
 
@@ -68,7 +68,7 @@ int Periodic_signs<d>::sign_of_facet(std::size_t c, std::size_t i) {
     bicell[d] = &q;
     bicell[d + 1] = &x[d];
     const Staged_sign s = exact_empty_sphere_sign(bicell);
-    budget_->charge(s.stage == Stage::interval ? Cost_model<d>::interval : Cost_model<d>::exact);
+    budget_->charge_later_stage(cost_of<d>(s), doubt_of<d>(s));
     if (s.sign != 0) return s.sign;
     return perturbed_sign(bicell) < 0 ? -1 : 0;
 }

@@ -23,12 +23,11 @@ void append_vertices(const Points& points, std::vector<Index>& vertices) {
         if (v != none) vertices.push_back(v);
 }
 
-/// What the stages after the filter have cost.
+/// What the stages after the filter cost to decide the signs of these values.
 template <int d>
-double later_stages(const Step<d>& step) {
-    const Stage_counts& decided = step.report.statistics.arithmetic;
-    return Cost_model<d>::interval * static_cast<double>(decided.interval) +
-           Cost_model<d>::exact * static_cast<double>(decided.exact);
+double later_stages(const Stage_counts& evaluated) {
+    return Cost_model<d>::interval * static_cast<double>(evaluated.interval) +
+           Cost_model<d>::exact * static_cast<double>(evaluated.exact);
 }
 
 }  // namespace
@@ -45,6 +44,7 @@ template <int d>
 void Repair<d>::count(Step<d>& step, const Stage_counts& evaluated) {
     step.count(evaluated);
     step.budget.charge(Certificate_checker<d>::cost(evaluated));
+    step.budget.later_stages += later_stages<d>(evaluated);
 }
 
 /// Where a mover has turned cells over, the tolerances of their facets cost an exact evaluation each and are not used:
@@ -162,7 +162,8 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
     const double limit = step.budget.limit;
     if (step.mover == none) {
         const Repair_estimate estimate = signs_.estimate();
-        if (step.budget.spent + Rebuild_policy<d>::expected(estimate, later_stages(step), limit) > limit) return false;
+        if (step.budget.spent + Rebuild_policy<d>::expected(estimate, step.budget.later_stages, limit) > limit)
+            return false;
         step.budget.limit = std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, limit));
     }
     const Repair_result& result = flip_repair_.repair(path, step.budget);

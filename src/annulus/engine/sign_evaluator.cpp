@@ -52,7 +52,7 @@ void Sign_evaluator<d>::find_middle() {
 template <int d>
 int Sign_evaluator<d>::decided(Staged_sign s) {
     decided_.count(s.stage);
-    budget_->charge(s.stage == Stage::interval ? Cost_model<d>::interval : Cost_model<d>::exact);
+    budget_->charge_later_stage(cost_of<d>(s), doubt_of<d>(s));
     return s.sign;
 }
 

@@ -3,7 +3,7 @@
 
 #include <annulus/kernel/cached_sphere.h>
 #include <annulus/kernel/default_init_vector.h>
-#include <annulus/kernel/integer_signs.h>
+#include <annulus/predicate/integer_signs.h>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <annulus/predicate/exact_sign.h>
-#include <annulus/predicate/filtered.h>
 #include <annulus/predicate/perturbed_sign.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <algorithm>
 #include <array>
@@ -32,8 +32,8 @@ template <int d>
 [[nodiscard]] inline bool flat_ridge_holds(const Tuple<3, 4>& x) {
     for (std::size_t i = 0; i < 3; ++i) {  // seen along an axis that is not parallel to the plane
         const auto y = seen_along<4>(i, x);
-        const int c = evaluate_orientation({&y[0], &y[1], &y[2]}, false).sign;
-        if (c != 0) return evaluate_orientation({&y[0], &y[1], &y[3]}, false).sign == -c;
+        const int c = sure_orientation<2>({&y[0], &y[1], &y[2]});
+        if (c != 0) return sure_orientation<2>({&y[0], &y[1], &y[3]}) == -c;
     }
     return false;
 }

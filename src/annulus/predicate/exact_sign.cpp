@@ -2,10 +2,12 @@
 #include <annulus/predicate/exact_sign.h>
 
 #include <annulus/arithmetic/exact.h>
+#include <annulus/predicate/integer_signs.h>
 #include <annulus/predicate/interval_stage.h>
 #include <annulus/predicate/later_stages.h>
 #include <annulus/predicate/sphere_terms.h>
 
+#include <optional>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -39,10 +41,13 @@ T of_vectors(std::index_sequence<i...>, const Vector& vector, const Determinant&
     return determinant(vector(i + 1)...);
 }
 
-template <int d, int k, class Determinant>
-Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
+/// By `integers`, which says nothing where the points span too many bits for it.
+template <int d, int k, class Integers, class Determinant>
+Staged_sign sign_of(const Tuple<d, k>& x, const Integers& integers, const Determinant& determinant) {
+    if (const std::optional<int> decided = integers(scaled_points(x)))
+        return {static_cast<std::int8_t>(*decided), Stage::exact};
     constexpr auto vectors = std::make_index_sequence<k - 1>();
-    Staged_sign sign{0, Stage::exact};
+    Staged_sign sign{0, Stage::exact, true};
     const auto interval = [&](std::size_t) {
         Certificate_value out;
         const bool decided = detail::with_scale(x, [&](const auto& difference, const detail::Scale&) {
@@ -62,19 +67,23 @@ Staged_sign sign_of(const Tuple<d, k>& x, const Determinant& determinant) {
     return sign;
 }
 
+template <int d>
+Staged_sign orientation_of(const Tuple<d, d + 1>& x) {
+    return sign_of<d, d + 1>(
+        x, [](const auto& p) { return integer_orientation<d>(p); }, [](const auto&... v) { return orientation(v...); });
+}
+template <int d>
+Staged_sign empty_sphere_of(const Tuple<d, d + 2>& x) {
+    return sign_of<d, d + 2>(
+        x, [](const auto& p) { return integer_empty_sphere<d>(p); },
+        [](const auto&... v) { return empty_sphere(v...); });
+}
+
 }  // namespace
 
-Staged_sign exact_orientation_sign(const Tuple<2, 3>& x) {
-    return sign_of<2, 3>(x, [](const auto&... v) { return orientation(v...); });
-}
-Staged_sign exact_orientation_sign(const Tuple<3, 4>& x) {
-    return sign_of<3, 4>(x, [](const auto&... v) { return orientation(v...); });
-}
-Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x) {
-    return sign_of<2, 4>(x, [](const auto&... v) { return empty_sphere(v...); });
-}
-Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x) {
-    return sign_of<3, 5>(x, [](const auto&... v) { return empty_sphere(v...); });
-}
+Staged_sign exact_orientation_sign(const Tuple<2, 3>& x) { return orientation_of<2>(x); }
+Staged_sign exact_orientation_sign(const Tuple<3, 4>& x) { return orientation_of<3>(x); }
+Staged_sign exact_empty_sphere_sign(const Tuple<2, 4>& x) { return empty_sphere_of<2>(x); }
+Staged_sign exact_empty_sphere_sign(const Tuple<3, 5>& x) { return empty_sphere_of<3>(x); }
 
 }  // namespace annulus::inline v1

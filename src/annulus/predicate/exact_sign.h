@@ -9,11 +9,13 @@ namespace annulus::inline v1 {
 struct Staged_sign {
     std::int8_t sign;
     Stage stage;
+    bool of_any_size = false;  ///< decided by integers of any size, on the heap: many times the cost of other stages
 };
 
-// Exact signs of certificates where no tolerance is needed and the filter stage could not decide: intervals, then
-// integers. A fifth of the cost of a value, which needs the widths too. Points are in the order of the filtered
-// predicate.
+// Exact signs of certificates where no tolerance is needed and the filter stage could not decide: integers of fixed
+// width (integer_signs.h), which cost less than intervals; where the points span too many bits for these, intervals,
+// then integers of any size. A fraction of the cost of a value, which needs the widths too. Points are in the order of
+// the filtered predicate.
 
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<2, 3>& x);
 [[nodiscard]] Staged_sign exact_orientation_sign(const Tuple<3, 4>& x);

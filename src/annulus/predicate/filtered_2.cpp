@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/predicate/filtered_2.h>
 
+#include <annulus/predicate/integer_signs.h>
 #include <annulus/predicate/interval_stage.h>
+
+#include <optional>
 
 namespace annulus::inline v1 {
 
@@ -29,6 +32,12 @@ bool accept(const Width_terms<Interval>& t, const detail::Scale& s, Certificate_
     return true;
 }
 
+/// What does not hold has no tolerance.
+std::optional<Certificate_value> without_tolerance(std::optional<int> sign) {
+    if (!sign || *sign > 0) return {};
+    return Certificate_value{0.0, static_cast<std::int8_t>(*sign), Stage::exact};
+}
+
 Certificate_value value_of(const Width_terms<mpz_class>& t, long exponent) {
     Certificate_value out;
     out.stage = Stage::exact;
@@ -52,11 +61,13 @@ bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out) {
 }
 
 Certificate_value orientation_exact(const Tuple<2, 3>& x) {
+    if (const auto value = without_tolerance(integer_orientation<2>(scaled_points(x)))) return *value;
     const Scaled_integers z(coordinates(x));
     return value_of(triangle_terms(detail::vectors<2>(z)), z.exponent);
 }
 
 Certificate_value empty_sphere_exact(const Tuple<2, 4>& x) {
+    if (const auto value = without_tolerance(integer_empty_sphere<2>(scaled_points(x)))) return *value;
     const Scaled_integers z(coordinates(x));
     return value_of(bicell_terms(detail::vectors<2>(z)), z.exponent);
 }

@@ -74,7 +74,8 @@ template <class V>
 [[nodiscard, gnu::noinline]] bool orientation_interval(const Tuple<2, 3>& x, Certificate_value& out);
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<2, 4>& x, Certificate_value& out);
 
-/// Exact stage: always answers, with the largest double not above the truth. Microseconds.
+/// Exact stage: always answers, with the largest double not above the truth. Microseconds; where the sign is not
+/// positive and integers of fixed width hold the points (integer_signs.h), a fraction of one.
 [[nodiscard]] Certificate_value orientation_exact(const Tuple<2, 3>& x);
 [[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<2, 4>& x);
 

@@ -2,7 +2,10 @@
 #include <annulus/predicate/filtered_3.h>
 
 #include <annulus/arithmetic/exact.h>
+#include <annulus/predicate/integer_signs.h>
 #include <annulus/predicate/interval_stage.h>
+
+#include <optional>
 
 namespace annulus::inline v1 {
 
@@ -94,6 +97,8 @@ bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out, Cell_wi
 }
 
 Certificate_value orientation_exact(const Tuple<3, 4>& x) {
+    const std::optional<int> sign = integer_orientation<3>(scaled_points(x));
+    if (sign && *sign <= 0) return {0.0, static_cast<std::int8_t>(*sign), Stage::exact};  // it has no tolerance
     const Scaled_integers z(coordinates(x));
     const auto t = tetrahedron_terms(detail::vectors<3>(z));
     Certificate_value out;
@@ -104,12 +109,19 @@ Certificate_value orientation_exact(const Tuple<3, 4>& x) {
 }
 
 Certificate_value empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells) {
-    const Exact_bicell e(x);
     Certificate_value out;
     out.stage = Stage::exact;
+    const auto note_side = [&out](std::size_t k, int sign) {
+        if (sign <= 0) out.wrong_side = static_cast<std::uint8_t>(out.wrong_side | (1U << k));
+    };
+    if (const auto signs = integer_bicell(scaled_points(x)); signs && signs->sphere <= 0) {
+        out.sign = static_cast<std::int8_t>(signs->sphere);
+        for (std::size_t k = 1; k < partitions_3; ++k) note_side(k, signs->side[k - 1]);
+        return out;
+    }
+    const Exact_bicell e(x);
     out.sign = static_cast<std::int8_t>(sgn(e.terms.determinant));
-    for (std::size_t k = 1; k < partitions_3; ++k)
-        if (sgn(e.terms.side[k]) <= 0) out.wrong_side = static_cast<std::uint8_t>(out.wrong_side | (1U << k));
+    for (std::size_t k = 1; k < partitions_3; ++k) note_side(k, sgn(e.terms.side[k]));
     if (out.sign <= 0) return out;
     out.tolerance = e.half_width_of(0);
     for (std::size_t k = 1; k < partitions_3; ++k) out.tolerance = std::min(out.tolerance, e.half_width_of(k));

@@ -136,7 +136,8 @@ template <class V>
 [[nodiscard, gnu::noinline]] bool empty_sphere_interval(const Tuple<3, 5>& x, Certificate_value& out,
                                                         Cell_widths cells = Cell_widths::where_needed);
 
-/// Exact stage: always answers, with the largest double not above the truth. Microseconds.
+/// Exact stage: always answers, with the largest double not above the truth. Microseconds; where the sign is not
+/// positive and integers of fixed width hold the points (integer_signs.h), a fraction of one.
 [[nodiscard]] Certificate_value orientation_exact(const Tuple<3, 4>& x);
 [[nodiscard]] Certificate_value empty_sphere_exact(const Tuple<3, 5>& x, Cell_widths cells = Cell_widths::where_needed);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/predicate/perturbed_sign.h>
 
-#include <annulus/predicate/filtered.h>
+#include <annulus/predicate/sure_orientation.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +26,7 @@ int perturbed(const Tuple<d, d + 2>& x) {
         std::copy_n(x.begin(), d, replaced.begin());
         replaced[tested] = x[last];
         replaced[std::min(order[i], tested)] = x[tested];
-        if (const int inside = evaluate_orientation(replaced, false).sign; inside != 0) return -inside;
+        if (const int inside = sure_orientation<d>(replaced); inside != 0) return -inside;
     }
     return 1;
 }

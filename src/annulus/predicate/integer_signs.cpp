@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/kernel/integer_signs.h>
+#include <annulus/predicate/integer_signs.h>
 
-#include <annulus/arithmetic/wide_integer.h>
+#include <annulus/predicate/integer_products.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>
@@ -9,10 +9,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace annulus::inline v1 {
 
 namespace {
+
+using namespace fixed_width;
 
 template <int d, class Integer>
 using Vector = std::array<Integer, static_cast<std::size_t>(d)>;
@@ -20,8 +24,10 @@ using Vector = std::array<Integer, static_cast<std::size_t>(d)>;
 template <class Integer>
 constexpr int most_bits = static_cast<int>(8 * sizeof(Integer)) - 4;  // of a coordinate; a difference has one more
 
-Unsigned128 magnitude(std::int64_t x) { return static_cast<Unsigned128>(x < 0 ? -x : x); }
-Unsigned128 magnitude(Int128 x) { return static_cast<Unsigned128>(x < 0 ? -x : x); }
+template <class Integer>
+Unsigned128 magnitude(Integer x) {
+    return static_cast<Unsigned128>(x < 0 ? -x : x);
+}
 int width(Unsigned128 x) {
     const auto high = static_cast<std::uint64_t>(x >> 64);
     return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
@@ -71,103 +77,50 @@ struct Differences {
     }
 };
 
-template <class Integer>
-int sign_of(Integer x) {
-    return x > 0 ? 1 : x < 0 ? -1 : 0;
-}
-template <std::size_t N>
-int sign_of(const Wide_integer<N>& x) {
-    return x.sign();
-}
+/// The determinant of r_k and |r_k|^2, positive when the last point is inside the sphere of the others and these are a
+/// positive cell, and its minors.
+template <class Minor, class Determinant>
+struct Sphere_minors_2 {
+    Determinant determinant;
+    Minor bc, ca, ab;
 
-/// Products and sums of products of integers that grow: with w words for a coordinate, 2 w for a minor and a square,
-/// 3 w for a determinant of three vectors, and 4 w and 5 w for the determinants of spheres.
-struct Growing_words {
-    static Wide_integer<2> minor(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t e) {
-        return wide(Int128{a} * e - Int128{b} * c);
-    }
-    static Wide_integer<4> minor(Int128 a, Int128 b, Int128 c, Int128 e) {
-        return product(wide(a), wide(e)) - product(wide(b), wide(c));
-    }
-    template <std::size_t d>
-    static Wide_integer<2> square(const std::array<std::int64_t, d>& a) {
-        Int128 s = 0;
-        for (const std::int64_t c : a) s += Int128{c} * c;
-        return wide(s);
-    }
-    template <std::size_t d>
-    static Wide_integer<4> square(const std::array<Int128, d>& a) {
-        Wide_integer<4> s;
-        for (const Int128 c : a) s = s + product(wide(c), wide(c));
-        return s;
-    }
-    template <class Minor, class Integer>
-    static auto dot(const std::array<Minor, 3>& n, const std::array<Integer, 3>& a) {
-        return product(n[0], wide(a[0])) + product(n[1], wide(a[1])) + product(n[2], wide(a[2]));
-    }
-    template <class A, class B>
-    static auto times(const A& a, const B& b) {
-        return product(a, b);
-    }
+    /// Of the cell with the last point in place of corner i.
+    [[nodiscard]] std::array<int, 3> orientations() const { return {sign_of(bc), sign_of(ca), sign_of(ab)}; }
 };
+template <class Minor, class Determinant>
+struct Sphere_minors_3 {
+    Determinant determinant;
+    Minor bce, ace, abe, abc;
 
-/// The same where everything fits into one type.
-template <class Result>
-struct Fitting {
-    template <class Integer>
-    static Result minor(Integer a, Integer b, Integer c, Integer e) {
-        return Result{a} * e - Result{b} * c;
+    [[nodiscard]] std::array<int, 4> orientations() const {
+        return {sign_of(bce), -sign_of(ace), sign_of(abe), -sign_of(abc)};
     }
-    template <class Integer, std::size_t d>
-    static Result square(const std::array<Integer, d>& a) {
-        Result s = 0;
-        for (const Integer c : a) s += Result{c} * c;
-        return s;
-    }
-    template <class Integer>
-    static Result dot(const std::array<Result, 3>& n, const std::array<Integer, 3>& a) {
-        return n[0] * a[0] + n[1] * a[1] + n[2] * a[2];
-    }
-    static Result times(Result a, Result b) { return a * b; }
 };
 
 template <class By, class Integer>
-auto cross(const Vector<3, Integer>& a, const Vector<3, Integer>& b) {
-    return std::array{By::minor(a[1], a[2], b[1], b[2]), By::minor(a[2], a[0], b[2], b[0]),
-                      By::minor(a[0], a[1], b[0], b[1])};
-}
-
-/// The sign of the determinant of r_k and |r_k|^2, positive when the last point is inside, and the signs of its
-/// minors: orientation[i] is that of the cell with the last point in place of corner i.
-template <int d>
-struct Sphere_signs {
-    int sphere;
-    std::array<int, static_cast<std::size_t>(d + 1)> orientation;
-};
-
-template <class By, class Integer>
-Sphere_signs<2> sphere_signs(const std::array<Vector<2, Integer>, 3>& r) {
+auto sphere_minors(const std::array<Vector<2, Integer>, 3>& r) {
     const auto& [a, b, c] = r;
     const auto bc = By::minor(b[0], b[1], c[0], c[1]), ca = By::minor(c[0], c[1], a[0], a[1]),
                ab = By::minor(a[0], a[1], b[0], b[1]);
-    return {sign_of(By::times(By::square(a), bc) + By::times(By::square(b), ca) + By::times(By::square(c), ab)),
-            {sign_of(bc), sign_of(ca), sign_of(ab)}};
+    const auto sum = By::times(By::square(a), bc) + By::times(By::square(b), ca) + By::times(By::square(c), ab);
+    return Sphere_minors_2<std::remove_const_t<decltype(bc)>, std::remove_const_t<decltype(sum)>>{sum, bc, ca, ab};
 }
 
 template <class By, class Integer>
-Sphere_signs<3> sphere_signs(const std::array<Vector<3, Integer>, 4>& r) {
+auto sphere_minors(const std::array<Vector<3, Integer>, 4>& r) {
     const auto& [a, b, c, e] = r;
     const auto ce = cross<By, Integer>(c, e), ab = cross<By, Integer>(a, b);
     const auto bce = By::dot(ce, b), ace = By::dot(ce, a), abe = By::dot(ab, e), abc = By::dot(ab, c);
     const auto sum = (By::times(bce, By::square(a)) - By::times(ace, By::square(b))) +
                      (By::times(abe, By::square(c)) - By::times(abc, By::square(e)));
-    return {sign_of(sum), {sign_of(bce), -sign_of(ace), sign_of(abe), -sign_of(abc)}};
+    return Sphere_minors_3<std::remove_const_t<decltype(bce)>, std::remove_const_t<decltype(sum)>>{sum, bce, ace, abe,
+                                                                                                   abc};
 }
 
 // Determinants of the sphere are of degree d + 2. With coordinates below 2^b:
 // 2D: minors and squares below 2^(2b + 1), products below 2^(4b + 2), their sum below 2^(4b + 4);
-// 3D: minors below 2^(2b + 1), squares below 2^(2b + 2), of degree 3 below 2^(3b + 3), products below 2^(5b + 5), their
-// sum below 2^(5b + 7).
+// 3D: minors below 2^(2b + 1), squares below 2^(2b + 2), of degree 3 below 2^(3b + 3), a sum of two of these below
+// 2^(3b + 4), products below 2^(5b + 5), their sum below 2^(5b + 7).
 template <int d, class Result>
 constexpr int fitting_bits = (static_cast<int>(8 * sizeof(Result)) - 1 - (d == 2 ? 4 : 7)) / (d + 2);
 static_assert(fitting_bits<2, std::int64_t> == 14 && fitting_bits<2, Int128> == 30);
@@ -196,26 +149,41 @@ bool perturbed(const std::array<Vector<d, Integer>, static_cast<std::size_t>(d +
     return g != last && orientation[g] > 0;
 }
 
-template <int d, class Integer>
-bool sphere_holds(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p, double scale) {
-    const Differences<d, Integer, d + 1> r(p, scale);
-    const auto holds = [&r](const Sphere_signs<d>& s) {
-        return s.sphere != 0 ? s.sphere > 0 : perturbed<d, Integer>(r.v, s.orientation);
-    };
+/// Calls decide(minors) with the sphere of r, whose numbers have the narrowest type that is known to hold them.
+template <int d, class Integer, class Decide>
+auto of_sphere(const Differences<d, Integer, d + 1>& r, Decide decide) {
     if constexpr (sizeof(Integer) == sizeof(std::int64_t)) {
-        if (r.bits <= fitting_bits<d, std::int64_t>) return holds(sphere_signs<Fitting<std::int64_t>, Integer>(r.v));
-        if (r.bits <= fitting_bits<d, Int128>) return holds(sphere_signs<Fitting<Int128>, Integer>(r.v));
+        if (r.bits <= fitting_bits<d, std::int64_t>) return decide(sphere_minors<Fitting<std::int64_t>, Integer>(r.v));
+        if (r.bits <= fitting_bits<d, Int128>) return decide(sphere_minors<Fitting<Int128>, Integer>(r.v));
     }
-    return holds(sphere_signs<Growing_words, Integer>(r.v));
+    return decide(sphere_minors<Growing_words, Integer>(r.v));
 }
 
-template <int d, class Integer>
-int orientation(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p, double scale) {
-    const Differences<d, Integer, d> r(p, scale);
-    // Differences to the last of three points: the sign is that of the orientation. With four points it is the
-    // opposite.
-    if constexpr (d == 2) return sign_of(Growing_words::minor(r.v[0][0], r.v[0][1], r.v[1][0], r.v[1][1]));
-    else return -sign_of(Growing_words::dot(cross<Growing_words, Integer>(r.v[0], r.v[1]), r.v[2]));
+/// Calls decide(r) with the differences of the points; empty where these have too many bits.
+template <int d, std::size_t k, class Decide>
+auto of_differences(const std::array<Scaled_point<d>, k + 1>& p, Decide decide)
+    -> std::optional<decltype(decide(Differences<d, std::int64_t, k>(p, 1.0)))> {
+    const Common_grid<d, k + 1> grid(p);
+    if (grid.template fits<std::int64_t>()) return decide(Differences<d, std::int64_t, k>(p, grid.scale));
+    if (grid.template fits<Int128>()) return decide(Differences<d, Int128, k>(p, grid.scale));
+    return {};
+}
+
+/// From the order of the predicates to that of a cell and a point.
+template <int d>
+auto point_last(std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)> p) {
+    std::swap(p[d], p[d + 1]);
+    return p;
+}
+
+/// Differences to the last of three points: the sign is that of the orientation. With four points it is the opposite.
+template <class Integer>
+int orientation(const Differences<2, Integer, 2>& r) {
+    return sign_of(Growing_words::minor(r.v[0][0], r.v[0][1], r.v[1][0], r.v[1][1]));
+}
+template <class Integer>
+int orientation(const Differences<3, Integer, 3>& r) {
+    return -sign_of(Growing_words::dot(cross<Growing_words, Integer>(r.v[0], r.v[1]), r.v[2]));
 }
 
 }  // namespace
@@ -240,24 +208,42 @@ template <int d>
 std::optional<int> integer_orientation(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 1)>& p) {
     for (std::size_t c = 0; c < d; ++c)  // in a plane across an axis, as faces of boxes are
         if (std::all_of(p.begin(), p.end(), [&](const auto& q) { return (*q.x)[c] == (*p[0].x)[c]; })) return 0;
-    const Common_grid<d, d + 1> grid(p);
-    if (grid.template fits<std::int64_t>()) return orientation<d, std::int64_t>(p, grid.scale);
-    if (grid.template fits<Int128>()) return orientation<d, Int128>(p, grid.scale);
-    return {};
+    return of_differences<d, static_cast<std::size_t>(d)>(p, [](const auto& r) { return orientation(r); });
+}
+
+template <int d>
+std::optional<int> integer_empty_sphere(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p) {
+    return of_differences<d, static_cast<std::size_t>(d + 1)>(point_last<d>(p), [](const auto& r) {
+        return of_sphere<d>(r, [](const auto& m) { return -sign_of(m.determinant); });
+    });
+}
+
+std::optional<Bicell_signs> integer_bicell(const std::array<Scaled_point<3>, 5>& p) {
+    return of_differences<3, 4>(point_last<3>(p), [](const auto& r) {
+        // lambda of a, b, c is -bce, ace, -abe, and the sum of all five is 0.
+        return of_sphere<3>(r, [](const auto& m) {
+            return Bicell_signs{-sign_of(m.determinant),
+                                {sign_of(m.bce - m.ace), sign_of(m.bce + m.abe), sign_of(m.abe - m.ace)}};
+        });
+    });
 }
 
 template <int d>
 std::optional<bool> integer_sphere_holds(const std::array<Scaled_point<d>, static_cast<std::size_t>(d + 2)>& p) {
-    const Common_grid<d, d + 2> grid(p);
-    if (grid.template fits<std::int64_t>()) return sphere_holds<d, std::int64_t>(p, grid.scale);
-    if (grid.template fits<Int128>()) return sphere_holds<d, Int128>(p, grid.scale);
-    return {};
+    return of_differences<d, static_cast<std::size_t>(d + 1)>(p, [](const auto& r) {
+        return of_sphere<d>(r, [&r](const auto& m) {
+            const int inside = sign_of(m.determinant);
+            return inside != 0 ? inside > 0 : perturbed<d>(r.v, m.orientations());
+        });
+    });
 }
 
 template double grid_scale<2>(const Coordinates<2>&);
 template double grid_scale<3>(const Coordinates<3>&);
 template std::optional<int> integer_orientation<2>(const std::array<Scaled_point<2>, 3>&);
 template std::optional<int> integer_orientation<3>(const std::array<Scaled_point<3>, 4>&);
+template std::optional<int> integer_empty_sphere<2>(const std::array<Scaled_point<2>, 4>&);
+template std::optional<int> integer_empty_sphere<3>(const std::array<Scaled_point<3>, 5>&);
 template std::optional<bool> integer_sphere_holds<2>(const std::array<Scaled_point<2>, 4>&);
 template std::optional<bool> integer_sphere_holds<3>(const std::array<Scaled_point<3>, 5>&);
 
