@@ -46,7 +46,7 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
     box : array_like, shape (d,) or (d, d)
         The lengths of an orthorhombic box, or the vectors of any box as rows. All directions are periodic.
     threads : int, optional
-        Number of threads of a build. Results do not depend on it.
+        Number of threads of builds, and of steps that test all signs. Results do not depend on it.
     report_changes : bool, optional
         Whether calls list the pairs of neighbours that they make and break: `pairs_made`, `pairs_broken`. Off by
         default, also in `MovingDelaunay` with a box: a call that lists them copies arrays, O(n).

@@ -17,7 +17,7 @@ namespace annulus::inline v1 {
 
 /// What a caller can choose of a periodic mesh.
 struct Periodic_options {
-    int threads = 1;              ///< of a build: 1 or more, else Error(usage); the triangulation does not depend on it
+    int threads = 1;              ///< 1 or more, else Error(usage); results do not depend on it
     bool report_changes = false;  ///< whether calls list the pairs that they make and break (Periodic_mesh::changes)
     Periodic_strategy strategy = Periodic_strategy::automatic;  ///< of moves; the triangulation does not depend on it
 };

@@ -21,6 +21,7 @@ class Periodic_mover {
     /// Builds with this object, and as many threads; it has to outlive the mover.
     Periodic_mover(Periodic_builder<d>& builder, Periodic_strategy strategy, int threads)
         : builder_(builder), strategy_(strategy), threads_(threads) {
+        repair_.set_threads(threads);
         tolerances_.set_threads(threads);
     }
 

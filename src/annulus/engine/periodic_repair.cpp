@@ -79,14 +79,11 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
     signs_.begin(work_, to.lattice, motion_.goal(), budget);
     bool same_spheres = false;
     if (result.by_tolerances) same_spheres = test_expired(tolerances.of, to.lattice, result.evaluated);
-    else signs_.test_all_cells();
+    else if (!signs_.test_all_cells()) return result;
     const bool calm = signs_.inverted().empty() && signs_.violated().empty();
     if (!calm || change.may_be_of_everything() || !motion_.wrapped().empty()) {
         note_doubted();
-        const double least = Cost_model<d>::inverted * static_cast<double>(signs_.inverted().size()) +
-                             Cost_model<d>::violated * static_cast<double>(signs_.violated().size());
-        constexpr double more = d == 2 ? 1.6 : 3.3;  // flips find more to repair: of many motions, the mean
-        if (more * least > budget.left()) return result;
+        if (signs_.expected_cost() > budget.left()) return result;
         if (!calm && !flip_until_done(to.lattice)) return result;
         close_gaps();
         if (!relabel_goal()) return result;

@@ -43,6 +43,8 @@ class Periodic_repair {
         Periodic_tolerances<d>& of;
         std::size_t most_failed;
     };
+    /// The most threads, 1 at first. Results do not depend on it.
+    void set_threads(int threads) { signs_.set_threads(threads); }
     /// The table is that of `from`, proved; with result.done it is that of `to`. Where only signs were needed, cells
     /// keep their numbers. With tolerances that are kept, and that at most so many vertices have left, only what has
     /// expired is tested, and they are kept at the end; where anything ends otherwise none are. Throws bad_alloc, with

@@ -31,8 +31,13 @@ class Periodic_signs {
     void begin(const Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> x,
                Budget& budget);
 
-    /// Tests every cell, and finds which facets are cospherical.
-    void test_all_cells();
+    /// The most threads of test_all_cells(), 1 at first. Nothing else depends on it.
+    void set_threads(int threads) { clear_.set_threads(threads); }
+    /// Tests every cell, and finds which facets are cospherical. Stops, and returns false, where to repair what has been
+    /// found so far costs more than the budget.
+    [[nodiscard]] bool test_all_cells();
+    /// What it costs to repair what is on the lists, roughly, in the unit of the budget.
+    [[nodiscard]] double expected_cost() const;
     /// Tests the cell c and its facets.
     void test_cell(std::size_t c);
     /// Exact. A flat cell is inverted, too.

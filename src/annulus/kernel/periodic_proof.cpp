@@ -191,7 +191,8 @@ class Periodic_proof {
     [[nodiscard]] bool is_right(int threads) {
         if (has_fast_clear_cells()) {
             Clear_periodic_cells<d> clear;
-            clear.find(table_, lattice_, place_, threads);
+            clear.set_threads(threads);
+            clear.find(table_, lattice_, place_);
             return std::all_of(clear.rest().begin(), clear.rest().end(), [this](auto c) { return is_right(c, 0); });
         }
         for (std::size_t c = 0; c < table_.size(); ++c)

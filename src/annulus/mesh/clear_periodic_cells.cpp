@@ -210,15 +210,15 @@ ANNULUS_AVX2 void find_unclear_lifted(const Periodic_table<d>& table, std::span<
 
 template <int d>
 void Clear_periodic_cells<d>::find(const Periodic_table<d>& table, const Lattice<d>& lattice,
-                                   std::span<const Coordinates<d>> x, int threads) {
+                                   std::span<const Coordinates<d>> x) {
     constexpr std::size_t length = 8192;  // of a run
     const std::size_t cells = table.size();
     lifted_.assign(cells, 0);
     found_.resize((cells + length - 1) / length);
-    for_each_run(cells, length, threads,
+    for_each_run(cells, length, threads_,
                  [&](std::size_t first, std::size_t last) { mark_lifted(table, first, last, lifted_.data()); });
     const Near_shifts<d> shifts(lattice);
-    for_each_run(cells, length, threads, [&](std::size_t first, std::size_t last) {
+    for_each_run(cells, length, threads_, [&](std::size_t first, std::size_t last) {
         Found& found = found_[first / length];
         found.left.clear();
         found.rest.clear();
