@@ -116,3 +116,30 @@ TEMPLATE_TEST_CASE_SIG("Four periodic cells at a time are clear where each is by
     CHECK(all.unclear > 300);
     CHECK(all.lifted > 50);
 }
+
+TEMPLATE_TEST_CASE_SIG("Threads find the same unclear periodic cells, dimension", "[mesh][periodic]", ((int d), d), 2,
+                       3) {
+    if (!has_fast_clear_cells()) return;
+    Periodic_cases cases(6);
+    const Lattice<d> lattice(cases.box<d>(4).vectors());
+    std::vector<Coordinates<d>> x = cases.points<d>(Box<d>(lattice.given()), d == 2 ? 20'000 : 4'000);
+    for (auto& p : x) p = lattice.representative(p, 0).place;
+    Periodic_table<d> table;
+    Periodic_builder<d>().build(lattice, x, 3, table);
+    REQUIRE(table.size() > 3 * 8192 - 8192 / 2);
+    for (auto& p : x)
+        for (std::size_t i = 0; i < d; ++i)
+            p[i] = std::nearbyint((p[i] + cases.uniform(-1e-3, 1e-3)) / lattice.grid()[i]) * lattice.grid()[i];
+    Clear_periodic_cells<d> one, more;
+    one.find(table, lattice, x);
+    CHECK(one.rest().size() > 20);
+    CHECK(one.rest().size() < table.size() / 2);
+    const Cells<d> cells{table, lattice, x};
+    for (std::size_t c = 0; c < table.size(); ++c)
+        if (!std::binary_search(one.rest().begin(), one.rest().end(), c)) REQUIRE(cells.is_clear(c));
+    for (const int threads : {2, 5}) {
+        more.set_threads(threads);
+        more.find(table, lattice, x);
+        CHECK(more.rest() == one.rest());
+    }
+}

@@ -33,8 +33,8 @@ class Periodic_signs {
 
     /// The most threads of test_all_cells(), 1 at first. Nothing else depends on it.
     void set_threads(int threads) { clear_.set_threads(threads); }
-    /// Tests every cell, and finds which facets are cospherical. Stops, and returns false, where to repair what has been
-    /// found so far costs more than the budget.
+    /// Tests every cell, and finds which facets are cospherical. Stops, and returns false, where it costs more than the
+    /// budget to repair what has been found so far.
     [[nodiscard]] bool test_all_cells();
     /// What it costs to repair what is on the lists, roughly, in the unit of the budget.
     [[nodiscard]] double expected_cost() const;
