@@ -61,13 +61,12 @@ TEMPLATE_TEST_CASE_SIG("Buffers of periodic builds are there while steps are reb
     for (int k = 0; k < 2; ++k) (void)run.far();  // what else a mesh keeps is there
     for (int k = 0; k < 8; ++k) run.near();
     const std::uint64_t fresh = run.far();
-    (void)run.far();
-    for (int k = 0; k < 3; ++k) CHECK(2 * run.far() < fresh);
+    for (int k = 0; k < 4; ++k) (void)run.far();  // until no array grows
+    CHECK(2 * run.far() < fresh);
     for (int k = 0; k < 7; ++k) run.near();
     CHECK(2 * run.far() < fresh);
     for (int k = 0; k < 8; ++k) run.near();
     CHECK(2 * run.far() > fresh);
-    CHECK(2 * run.far() < fresh);
 }
 
 TEMPLATE_TEST_CASE_SIG("A periodic builder without buffers builds the same, dimension", "[engine][periodic]",
