@@ -190,7 +190,7 @@ template <int d>
 void expect_rigidity() {
     Periodic_cases cases(5 + d);
     int rigid = 0, other = 0;
-    for (int k = 0; k < repeats(300); ++k) {
+    for (int k = 0; k < 300; ++k) {
         const Matrix<d> x = strained<d>(cases, 0.03, false);
         const bool said = is_nearly_rigid<d>(x);
         ++(said ? rigid : other);

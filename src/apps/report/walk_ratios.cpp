@@ -11,26 +11,26 @@ namespace annulus::inline v1 {
 namespace {
 
 // Copied from bench/RESULTS.md; tests/tool/test_advise_gain.py compares them.
-constexpr std::array<Walk_ratio, 10> walks_2{{{1e-6, 222.14},
-                                              {1e-5, 189.34},
-                                              {1e-4, 104.66},
-                                              {1e-3, 22.13},
-                                              {3e-3, 22.01},
-                                              {1e-2, 12.55},
-                                              {3e-2, 7.78},
-                                              {0.1, 2.68},
-                                              {0.3, 1.75},
-                                              {1, 1.83}}};
-constexpr std::array<Walk_ratio, 10> walks_3{{{1e-6, 923.79},
-                                              {1e-5, 324.41},
-                                              {1e-4, 44.45},
-                                              {1e-3, 26.74},
-                                              {3e-3, 20.40},
-                                              {1e-2, 12.57},
-                                              {3e-2, 5.67},
-                                              {0.1, 2.74},
-                                              {0.3, 2.76},
-                                              {1, 2.88}}};
+constexpr std::array<Walk_ratio, 10> walks_2{{{1e-6, 133.78},
+                                              {1e-5, 109.68},
+                                              {1e-4, 47.05},
+                                              {1e-3, 11.65},
+                                              {3e-3, 10.65},
+                                              {1e-2, 8.62},
+                                              {3e-2, 5.34},
+                                              {0.1, 1.75},
+                                              {0.3, 1.79},
+                                              {1, 1.89}}};
+constexpr std::array<Walk_ratio, 10> walks_3{{{1e-6, 588.95},
+                                              {1e-5, 194.99},
+                                              {1e-4, 38.62},
+                                              {1e-3, 24.09},
+                                              {3e-3, 16.81},
+                                              {1e-2, 11.21},
+                                              {3e-2, 5.20},
+                                              {0.1, 2.78},
+                                              {0.3, 2.64},
+                                              {1, 2.52}}};
 
 double between(double x, double x0, double x1, double y0, double y1) {
     const double share = (std::log(x) - std::log(x0)) / (std::log(x1) - std::log(x0));
