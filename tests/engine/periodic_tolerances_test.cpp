@@ -394,6 +394,44 @@ void expect_same_results_for_threads() {
 
 }  // namespace
 
+namespace {
+
+/// Material that turns under a load along fixed axes: its box is a rotation, and then the load.
+template <int d>
+void expect_turning_under_load(std::uint64_t seed, std::size_t n, int steps) {
+    CAPTURE(d, seed, n);
+    Periodic_cases cases(seed);
+    const auto cube = cases.box<d>(0).vectors();
+    const auto rest = cases.points<d>(Box<d>(cube), n, 1);
+    const auto at = [](const Coordinates<d>& p, double angle, double load) {
+        Coordinates<d> q = p;
+        q[0] = (1 + load) * (std::cos(angle) * p[0] - std::sin(angle) * p[1]);
+        q[1] = (1 - load) * (std::sin(angle) * p[0] + std::cos(angle) * p[1]);
+        return q;
+    };
+    Periodic_mesh<d> mesh(rest, Box<d>(cube), {.strategy = Periodic_strategy::tolerances});
+    std::uint64_t by_tolerances = 0;
+    for (int k = 0; k < steps; ++k) {
+        const double angle = std::max(0, k - 4) * 0.015, load = 0.005 * std::min(k, 4);
+        auto vectors = cube;
+        auto x = rest;
+        for (auto& v : vectors) v = at(v, angle, load);
+        for (auto& p : x) p = at(p, angle, load);
+        by_tolerances += mesh.move_all(x, Box<d>(vectors)).statistics.tolerance_steps;
+        CHECK(cells_of(mesh) == cells_of(Periodic_mesh<d>(x, Box<d>(vectors))));
+    }
+    CHECK(2 * by_tolerances > static_cast<std::uint64_t>(steps));
+}
+
+}  // namespace
+
+TEST_CASE("Periodic tolerances in a box that turns under a load", "[engine][periodic]") {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        expect_turning_under_load<2>(seed, 30, repeats(60));
+        expect_turning_under_load<3>(seed, 30, repeats(40));
+    }
+}
+
 TEST_CASE("Crystals with periodic tolerances, at rest and strained and back", "[engine][periodic]") {
     expect_crystal<2>();
     expect_crystal<3>();

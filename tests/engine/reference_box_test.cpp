@@ -250,6 +250,7 @@ Followed expect_box_to_be_followed(int kind, double most, std::uint64_t seed) {
     CHECK(box.deviation_upper() == 0);
     Followed count;
     double before = 0;
+    Exact_matrix<d> last = transposed<d>(exact<d>(first.basis()));
     for (int step = 0; step < 6; ++step) {
         vectors = deformed<d>(vectors, strained<d>(cases, most, false));
         const Lattice<d> lattice(vectors);
@@ -258,9 +259,12 @@ Followed expect_box_to_be_followed(int kind, double most, std::uint64_t seed) {
         if (!box.follow(lattice)) break;
         ++count.followed;
         CHECK(box.deviation_upper() >= before);
-        before = box.deviation_upper();
         // A = L L0^-1 of vectors as columns.
         const Exact_matrix<d> l = transposed<d>(exact<d>(lattice.basis())), l0 = transposed<d>(exact<d>(first.basis()));
+        const mpq_class more = mpq_class(box.deviation_upper()) - mpq_class(before) + mpq_class(1e-13);
+        CHECK(quotient<d>(times<d>(l, inverse<d>(last))) <= exponential_lower(4 * more));
+        before = box.deviation_upper();
+        last = l;
         const Exact_matrix<d> a = times<d>(l, inverse<d>(l0));
         CHECK(quotient<d>(a) <= exponential_lower(4 * mpq_class(box.deviation_upper() + 1e-13)));
         for (int k = 0; k < 4; ++k) {
@@ -355,4 +359,25 @@ TEST_CASE("Reference_box counts nothing where the box stays, or is strained in a
     for (auto& row : turned)
         for (double& c : row) c *= 1.03;
     CHECK(!box.follow(Lattice<3>(turned)));
+}
+
+TEST_CASE("Reference_box counts what a box is deformed that turns under a load, and nothing where it turns with it",
+          "[engine][periodic]") {
+    const auto turned = [](double angle) {
+        return Matrix<3>{{{std::cos(angle), -std::sin(angle), 0}, {std::sin(angle), std::cos(angle), 0}, {0, 0, 1}}};
+    };
+    const Matrix<3> load{{{1.02, 0, 0}, {0, 0.98, 0}, {0, 0, 1}}};
+    const auto cube = Box<3>::orthorhombic({1, 1, 1}).vectors();
+    Reference_box<3> box, along;
+    for (Reference_box<3>* each : {&box, &along}) {
+        each->begin(Lattice<3>(cube));
+        REQUIRE(each->follow(Lattice<3>(deformed<3>(cube, load))));
+    }
+    const double loaded = box.deviation_upper();
+    for (int k = 1; k <= 10; ++k) {
+        REQUIRE(box.follow(Lattice<3>(deformed<3>(deformed<3>(cube, turned(0.05 * k)), load))));
+        REQUIRE(along.follow(Lattice<3>(deformed<3>(deformed<3>(cube, load), turned(0.05 * k)))));
+    }
+    CHECK(box.deviation_upper() > loaded + 0.01);
+    CHECK(along.deviation_upper() < loaded + 1e-13);
 }

@@ -187,8 +187,9 @@ bool Reference_box<d>::follow(const Lattice<d>& lattice) {
     const Matrix map = map_of(lattice);
     if (map != map_) {
         if (!is_nearly_rigid<d>(map)) return false;
-        const Matrix step = product<d>(map, inverse(map_));
-        const double off = norm_upper<d>(remainder_upper<d>(map, step, map_)) / least_singular * rounded_up;
+        // What takes this box to the one before. The other product, as long as a step, is of no map between boxes.
+        const Matrix step = product<d>(inverse(map_), map);
+        const double off = norm_upper<d>(remainder_upper<d>(map, map_, step)) / least_singular * rounded_up;
         deviation_ = sum_upper(deviation_, annulus::deviation_upper<d>(step, off));
         map_ = map;
     }
