@@ -83,7 +83,7 @@ Periodic_repair_result Periodic_repair<d>::repair(Periodic_table<d>& table, cons
     const bool calm = signs_.inverted().empty() && signs_.violated().empty();
     if (!calm || change.may_be_of_everything() || !motion_.wrapped().empty()) {
         note_doubted();
-        if (signs_.expected_cost() > budget.left()) return result;
+        if (!calm && signs_.expected_cost() > budget.left()) return result;
         if (!calm && !flip_until_done(to.lattice)) return result;
         close_gaps();
         if (!relabel_goal()) return result;

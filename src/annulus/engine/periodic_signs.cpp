@@ -116,7 +116,8 @@ bool Periodic_signs<d>::test_all_cells() {
     budget_->charge(static_cast<double>(table_->size()));
     const auto test = [this](std::size_t c) {
         test_cell(c, &cospherical_);
-        return expected_cost() <= budget_->left();
+        const double cost = expected_cost();
+        return cost == 0 || cost <= budget_->left();
     };
     if (has_fast_clear_cells()) {
         clear_.find(*table_, *lattice_, x_);
