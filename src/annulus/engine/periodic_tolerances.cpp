@@ -124,7 +124,8 @@ double Periodic_tolerances<d>::expected_share(const Periodic_view<d>& view, Peri
     box.begin(before);
     if (motion.relabels_home() || !box.follow(view.lattice)) return 1;
     const double deviation = box.deviation_upper(), reach = typical_radius * spacing;
-    const auto home = motion.home(), goal = motion.goal();
+    const auto home = motion.home();
+    const auto goal = motion.goal();
     std::vector<Certificate_id> ids;
     const std::size_t stride = 1 + view.table.size() * (d + 1) / 1024;  // of half-facets: 512 facets or so
     for (std::size_t k = 0; k < view.table.size() * (d + 1); k += stride) {
