@@ -193,7 +193,8 @@ class Periodic_proof {
             Clear_periodic_cells<d> clear;
             clear.set_threads(threads);
             clear.find(table_, lattice_, place_);
-            return std::all_of(clear.rest().begin(), clear.rest().end(), [this](std::size_t c) { return this->is_right(c, 0); });
+            return std::all_of(clear.rest().begin(), clear.rest().end(),
+                               [this](std::size_t c) { return this->is_right(c, 0); });
         }
         for (std::size_t c = 0; c < table_.size(); ++c)
             if (!is_right(c, c)) return false;
