@@ -9,7 +9,6 @@
 #include <vector>
 
 using namespace annulus;
-using namespace annulus::testing;
 
 namespace {
 

@@ -456,13 +456,13 @@ TEST_CASE("Tolerances of a strategy that keeps none are those of all certificate
     Periodic_cases cases(4);
     Motion<3> motion(Moving::jitter, 4, 60, 1e-4);
     Periodic_mesh<3> kept(motion.points(), motion.box(), {.strategy = Periodic_strategy::tolerances});
-    Periodic_mesh<3> none(motion.points(), motion.box(), {.strategy = Periodic_strategy::signs});
+    Periodic_mesh<3> by_signs(motion.points(), motion.box(), {.strategy = Periodic_strategy::signs});
     for (int k = 0; k < 4; ++k) {
         motion.advance();
         (void)kept.move_all(motion.points(), motion.box());
-        CHECK(none.move_all(motion.points(), motion.box()).statistics.tolerance_recomputations == 0);
-        expect_safe_tolerances(none, cases);
-        const auto left = kept.tolerances(), all = none.tolerances();
+        CHECK(by_signs.move_all(motion.points(), motion.box()).statistics.tolerance_recomputations == 0);
+        expect_safe_tolerances(by_signs, cases);
+        const auto left = kept.tolerances(), all = by_signs.tolerances();
         double sum_left = 0, sum_all = 0;
         for (std::size_t v = 0; v < all.size(); ++v) {
             sum_left += left[v];

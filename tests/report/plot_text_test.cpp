@@ -21,7 +21,7 @@ using annulus_test::well_formed;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Run_record of(const std::string& strategy, double first, double second) {
     Run_record run = two_steps();
@@ -44,7 +44,7 @@ TEST_CASE("A plot of one place is a sentence", "[report]") {
     plot.series.resize(1);
     plot.series[0].name = "";
     CHECK(plot_html(plot) == "<p>Time &lt;ms&gt;, iteration 12: 2.5.</p>");
-    plot.series[0] = {"", {1, 2, 3}, {nan, 7, nan}, false, {0, 2, 0}};  // measured once
+    plot.series[0] = {"", {1, 2, 3}, {not_a_number, 7, not_a_number}, false, {0, 2, 0}};  // measured once
     CHECK(contains(plot_html(plot), "iteration 2: 7 ± 2."));
     plot.series[0].y[2] = 7;
     CHECK(plot_html(plot) == svg_plot(plot));
