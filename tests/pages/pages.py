@@ -52,7 +52,7 @@ KINDS = [
     Kind("compare-once", "compare --strategies rebuild,tolerances,paper:floating -- lloyd --points 300 --iterations 1",
          shows=["Strategies compared"], sorted_tables=1),
     Kind("compare-replay", "compare --strategies rebuild,auto -- replay MOTION", shows=["Strategies compared"],
-         sorted_tables=1, says=["2 strategies", "by the wall clock"]),
+         sorted_tables=1, says=["2 strategies", "of processor time"]),
     Kind("compare", "compare --strategies rebuild,relocate,auto,paper:floating -- lloyd --points 300 --iterations 30",
          shows=["Strategies compared", "Cumulative time"], sorted_tables=1),
     Kind("compare-nodt", "compare --strategies rebuild,tolerances -- nodt --sphere --vertices 200 --iterations 5",

@@ -125,21 +125,27 @@ TEST_CASE("A finding names the fastest strategy", "[report]") {
     time(1, 0.125, 0.1, 7);  // a pause
     comparison.runs[0].strategy = "rebuild";
     CHECK(joined(findings(comparison)) ==
-          "The fastest of 2 strategies was auto: 125 ms for keeping the triangulation in an iteration by the wall "
-          "clock, the "
-          "median of 3 iterations. The slowest, rebuild, took 4 times as long.\n");
+          "The fastest of 2 strategies was auto: 125 ms of processor time for keeping the triangulation in an "
+          "iteration, the median of 3 iterations. The slowest, rebuild, took 4 times as long.\n");
     Report report;
     report.comparison = comparison;
     CHECK(contains(report_html(report), "<td data-key=\"0.125\">125 ms</td><td data-key=\"1\">1×</td>"));
     for (const char* part :
          {"Ratios in this table are of medians", "All strategies agree: at the end each has a Delaunay",
-          "median of rebuild over its", "a jump may be a pause of the machine"})
+          "median of rebuild over its", "summed: processor time.", "Times are processor time"})
         CHECK(contains(report_html(report), part));
+    report.run.threads = 2;
+    for (Run_record& run : comparison.runs) run.threads = 2;
+    report.comparison = comparison;
+    for (const char* part :
+         {"medians change little as long as fewer than half of the iterations have one", "Times are of the wall clock",
+          "a jump may be a pause of the machine", "125 ms by the wall clock for keeping the triangulation"})
+        CHECK(contains(report_html(report), part));
+    CHECK(!contains(report_html(report), "rocessor time"));
     time(0, 0.125, 0.1, 0.12505);
     CHECK(joined(findings(comparison)) ==
-          "The 2 strategies took about as long: 125 ms for keeping the triangulation in an iteration by the wall "
-          "clock, the "
-          "median of 3 iterations.\n");
+          "The 2 strategies took about as long: 125 ms by the wall clock for keeping the triangulation in an "
+          "iteration, the median of 3 iterations.\n");
     CHECK(median_step(comparison.runs[0]) == 0.125);
     comparison.runs[0].steps.pop_back();
     CHECK(median_step(comparison.runs[0]) == 0.1125);

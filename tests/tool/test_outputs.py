@@ -5,7 +5,11 @@
 import csv
 import json
 import math
+import os
 import re
+import signal
+import subprocess
+import time
 import xml.etree.ElementTree
 
 import tool
@@ -85,6 +89,36 @@ class Outputs(ToolTest):
                 for pair, ratio in compared["ratios"].items():
                     a, b = pair.split("/")
                     self.assertAlmostEqual(ratio, total[a] / total[b], delta=1e-6 * ratio)
+
+    def test_with_one_thread_pauses_do_not_count(self):
+        """The tool is stopped most of the time: its seconds are no more than those that it had the processor."""
+        words = ["compare", "--strategies", "rebuild,relocate", "--output", "out", "--quiet", "--", "lloyd", "--points",
+                 "2000", "--iterations", "25"]
+        run = subprocess.Popen([tool.OPTIONS["tool"], *words], cwd=self.here)
+        ended = 0
+        while not ended:
+            for number, seconds in ((signal.SIGSTOP, 0.02), (signal.SIGCONT, 0.005)):
+                os.kill(run.pid, number)
+                time.sleep(seconds)
+            ended, status, used = os.wait4(run.pid, os.WNOHANG)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(run.returncode, 0)
+        runs = json.loads((self.here / "out" / "compare.json").read_text(encoding="utf-8"))["strategies"].values()
+        for seconds in (sum(r["seconds"]["triangulation"] for r in runs), sum(r["seconds_construction"] for r in runs),
+                        min(r["seconds"]["motion"] for r in runs)):
+            self.assertGreater(seconds, 0)
+        timed = sum(r["seconds"]["triangulation"] + r["seconds_construction"] for r in runs)
+        self.assertLess(timed + min(r["seconds"]["motion"] for r in runs), used.ru_utime + used.ru_stime + 0.02)
+        self.assertLess(used.ru_utime + used.ru_stime, min(r["seconds"]["total"] for r in runs))
+        page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(page.count("Times are processor time, in which pauses of the machine do not count"), 2)
+
+    def test_with_several_threads_times_are_of_the_wall_clock(self):
+        self.succeed("compare", "--threads", 2, "--output", "out", "--quiet", "--", "lloyd", "--points", "60",
+                     "--iterations", "4")
+        page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(page.count("Times are of the wall clock, which counts pauses of the machine, too"), 2)
+        self.assertNotIn("rocessor time", page)
 
     def test_the_share_within_tolerance_is_known_only_where_it_was_tested(self):
         """A step that evaluates all signs, or rebuilds, tests no tolerances."""

@@ -78,7 +78,7 @@ Input_record boxed_input(const Boxed_scene<d>& scene) {
 /// One iteration.
 template <int d>
 void boxed_step(Run_tracker<Boxed_mesh<d>>& tracker, std::span<const std::uint64_t> id, const Box<d>& box) {
-    const auto start = Clock::now();
+    const Stopwatch watch(tracker.threads());
     const Periodic_mesh<d>& mesh = tracker.triangulation().mesh();
     const std::vector<Coordinates<d>> offset = periodic_centroid_offsets<d>(mesh.audit_input());
     std::vector<Coordinates<d>> target(mesh.points().begin(), mesh.points().end());
@@ -92,7 +92,7 @@ void boxed_step(Run_tracker<Boxed_mesh<d>>& tracker, std::span<const std::uint64
         way.mean += std::sqrt(square) / static_cast<double>(target.size());
         way.max = std::max(way.max, std::sqrt(square));
     }
-    tracker.step([&](Boxed_mesh<d>& dt) { return dt.follow(id, target, box); }, since(start), way);
+    tracker.step([&](Boxed_mesh<d>& dt) { return dt.follow(id, target, box); }, watch.seconds(), way);
 }
 
 /// The density is one.

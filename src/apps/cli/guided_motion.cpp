@@ -10,19 +10,20 @@ namespace annulus::inline v1::cli {
 Guided_lloyd::Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common)
     : scene_(make_scene(arguments, common.seed)),
       guide_(scene_.points),
-      lloyd_(scene_.domain, scene_.density, common.threads, scene_.border) {
+      lloyd_(scene_.domain, scene_.density, common.threads, scene_.border),
+      threads_(common.threads) {
     common.say_merged(arguments.input, scene_.merged);
     common.say_notes(scene_.input.warnings);
 }
 
 bool Guided_lloyd::next(Time_step<2>& t) {
-    const auto start = Clock::now();
+    const Stopwatch watch(threads_);
     t.x.resize(scene_.points.size());
     if (cells_changed_) read_stars(guide_, stars_);
     const Lloyd_step step = lloyd_.step(stars_, guide_.points(), t.x, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<2>>(t.x)));
     t.way = {step.mean_displacement, step.max_displacement};
-    t.seconds = since(start);
+    t.seconds = watch.seconds();
     return true;
 }
 

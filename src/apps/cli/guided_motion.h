@@ -74,6 +74,7 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
     Lloyd_2 lloyd_;
     Stars_2 stars_;
     Lloyd_memory memory_;
+    int threads_;
     bool cells_changed_ = true;
 };
 

@@ -17,14 +17,14 @@ Guided_nodt::Guided_nodt(const Nodt_arguments& arguments, const Common_arguments
 }
 
 bool Guided_nodt::next(Time_step<3>& t) {
-    const auto start = Clock::now();
+    const Stopwatch watch(threads_);
     t.x.resize(scene_.points.size());
     read_mesh();
     last_ = nodt_.step(mesh_.kept(), mesh_.points(), t.x, memory_);
     cells_changed_ = changes_cells(guide_.move_all(std::span<const Coordinates<3>>(t.x)));
     read_ = false;
     t.way = {last_.mean_displacement, last_.max_displacement};
-    t.seconds = since(start);
+    t.seconds = watch.seconds();
     return true;
 }
 

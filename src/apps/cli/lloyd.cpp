@@ -71,11 +71,11 @@ int run(const Lloyd_call& a, const std::string& command) {
     {
         Progress progress("lloyd", a.lloyd.iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= a.lloyd.iterations && !Interruption_guard::interrupted(); ++i) {
-            const auto start = Clock::now();
+            const Stopwatch watch(a.common.threads);
             const Moving_mesh_2& dt = tracker.triangulation();
             if (tracker.cells_changed()) read_stars(dt, stars);
             const Lloyd_step step = lloyd.step(stars, dt.points(), target, memory);
-            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            tracker.step(target, watch.seconds(), step.mean_displacement, step.max_displacement);
             if (viewed && is_viewed(i, a.lloyd.iterations)) tracker.plane_after(view("").measures);
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.2f %% within tolerance", 100 * tracker.share_within()));

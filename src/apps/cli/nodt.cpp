@@ -67,13 +67,13 @@ int run(const Nodt_call& a, const std::string& command) {
     {
         Progress progress("nodt", a.nodt.iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= a.nodt.iterations && !Interruption_guard::interrupted(); ++i) {
-            auto start = Clock::now();
+            Stopwatch watch(a.common.threads);
             const Nodt_step step = nodt.step(mesh.kept(), mesh.points(), target, memory);
-            tracker.step(target, since(start), step.mean_displacement, step.max_displacement);
+            tracker.step(target, watch.seconds(), step.mean_displacement, step.max_displacement);
             // Reading the mesh for the next step is part of the motion's time; measuring its quality is not.
-            start = Clock::now();
+            watch = Stopwatch(a.common.threads);
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
-            tracker.add_motion(since(start));
+            tracker.add_motion(watch.seconds());
             tracker.mesh_after(measured(mesh, step));
             if (a.frames.any()) frames.frame(i);
             progress.show(i, formatted("%.2f %% within tolerance, ", 100 * tracker.share_within()) +
@@ -81,14 +81,14 @@ int run(const Nodt_call& a, const std::string& command) {
         }
     }
     if (a.finish && !Interruption_guard::interrupted()) {
-        auto start = Clock::now();
+        Stopwatch watch(a.common.threads);
         const Finishing finishing(scene, tracker.triangulation(), a.common.quiet);
         if (!Interruption_guard::interrupted()) {  // else it is dropped: a step is done or it is not
-            tracker.step(finishing.position(), since(start), finishing.mean_displacement(),
+            tracker.step(finishing.position(), watch.seconds(), finishing.mean_displacement(),
                          finishing.max_displacement());
-            start = Clock::now();
+            watch = Stopwatch(a.common.threads);
             mesh.read(tracker.triangulation(), tracker.cells_changed(), domain, a.common.threads);
-            tracker.add_motion(since(start));
+            tracker.add_motion(watch.seconds());
             tracker.mesh_after(measured(mesh, {}));
             tracker.note_finish();
             if (a.frames.any()) frames.frame(steps);

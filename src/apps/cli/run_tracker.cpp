@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/run_tracker.h>
-#include <apps/cli/stopwatch.h>
 
 #include <apps/report/memory.h>
 
@@ -49,7 +48,8 @@ std::optional<double> mean_of_finite(const std::vector<double>& values, double u
 template <class Moving>
 Run_tracker<Moving>::Run_tracker(std::string name, const std::function<Moving()>& make, const Options& options,
                                  double spacing, std::uint64_t iterations, std::uint64_t audit_every, bool measure)
-    : begun_(Clock::now()),
+    : threads_(options.threads),
+      begun_(threads_),
       dt_(make()),
       spacing_(spacing),
       iterations_(iterations),
@@ -63,7 +63,7 @@ Run_tracker<Moving>::Run_tracker(std::string name, const std::function<Moving()>
     record_.vertices = dt_.number_of_vertices();
     record_.mean_spacing = spacing;
     totals_ += dt_.recompute_tolerances();
-    record_.seconds.construction = since(begun_);
+    record_.seconds.construction = begun_.seconds();
 }
 
 template <class Moving>
@@ -85,9 +85,9 @@ void Run_tracker<Moving>::hear(Move_result& report, Index arrived) {
 template <class Moving>
 void Run_tracker<Moving>::step(const std::function<Move_result(Moving&)>& call, double motion_seconds,
                                const Displacement& way) {
-    const auto start = Clock::now();
+    const Stopwatch watch(threads_);
     Move_result report = call(dt_);
-    const double seconds = since(start);
+    const double seconds = watch.seconds();
     hear(report, none);
     record_step(report, seconds, motion_seconds, way);
 }

@@ -3,10 +3,10 @@
 
 #include <annulus/moving_mesh.h>
 #include <apps/cli/boxed_mesh.h>
+#include <apps/cli/stopwatch.h>
 #include <apps/report/report.h>
 #include <apps/report/run_record.h>
 
-#include <chrono>
 #include <concepts>
 #include <functional>
 #include <limits>
@@ -86,6 +86,7 @@ class Run_tracker {
     void finish(const std::string& command, std::uint64_t seed, double total_seconds);
 
     [[nodiscard]] const Moving& triangulation() const { return dt_; }
+    [[nodiscard]] int threads() const { return threads_; }
     [[nodiscard]] const Run_record& record() const { return record_; }
     [[nodiscard]] const std::vector<Width_distribution>& widths() const { return widths_; }
     [[nodiscard]] const std::string& first_fault() const { return first_fault_; }
@@ -106,7 +107,8 @@ class Run_tracker {
     [[nodiscard]] bool measured_at(std::uint64_t iteration) const;
     void audit();
 
-    std::chrono::steady_clock::time_point begun_;  // before the triangulation is built
+    int threads_;
+    Stopwatch begun_;  // before the triangulation is built
     Moving dt_;
     Listener listener_;
     Run_record record_;

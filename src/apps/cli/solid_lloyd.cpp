@@ -162,9 +162,9 @@ int run_solid_lloyd(const Solid_lloyd_call& a, const std::string& command) {
     {
         Progress progress("lloyd", iterations, a.common.quiet);
         for (std::uint64_t i = 1; i <= iterations && !Interruption_guard::interrupted(); ++i) {
-            const auto start = Clock::now();
+            const Stopwatch watch(a.common.threads);
             const Displacement way = lloyd.step(tracker.triangulation(), tracker.cells_changed(), target);
-            const double seconds = since(start);
+            const double seconds = watch.seconds();
             tracker.volume_scatter(lloyd.volume_scatter());
             tracker.step(target, seconds, way.mean, way.max);
             if (a.frames.any()) frames.frame(i);

@@ -30,9 +30,9 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
     std::vector<Index> indices;
     const auto call = [&](auto change, bool counts) {
         Move_result one;
-        const auto start = Clock::now();
+        const Stopwatch watch(this->threads());
         const Index arrived = change(one);
-        seconds += since(start);
+        seconds += watch.seconds();
         this->hear(one, arrived);
         if (!counts) one.moves = {};  // only the moves of move_all are counted
         report += one;

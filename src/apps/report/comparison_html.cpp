@@ -63,21 +63,26 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                  rows, true);
     const bool any = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                  [](const Run_record& run) { return tested_moves(run).asked > 0; });
-    out +=
-        "<figcaption>Times are of the wall clock, which counts pauses of the machine, too: sums over all " +
-        std::string(step_word(first)) +
-        "s have them, medians leave them out. Ratios in this table are of medians, <code>ratios_of_medians</code> in "
-        "compare.json; <code>ratios</code> there are of sums. " +
-        (any ? "Within tolerance: the share of moves, in the " + std::string(step_word(first)) +
-                   "s that tested tolerances; a dash where none did."
-             : "No strategy tested tolerances.") +
-        "</figcaption>\n";
+    const std::string word = step_word(first);
+    out += "<figcaption>" +
+           (times_processor(first)
+                ? "Times are processor time, in which pauses of the machine do not count."
+                : "Times are of the wall clock, which counts pauses of the machine, too: sums over all " + word +
+                      "s have them; medians change little as long as fewer than half of the " + word + "s have one.") +
+           " Ratios in this table are of medians, <code>ratios_of_medians</code> in "
+           "compare.json; <code>ratios</code> there are of sums. " +
+           (any ? "Within tolerance: the share of moves, in the " + word +
+                      "s that tested tolerances; a dash where none did."
+                : "No strategy tested tolerances.") +
+           "</figcaption>\n";
     const std::vector<Plot> plots = comparison_plots(comparison);
     append_plots(out, "Cumulative time", plots,
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
-                 "construction of the first triangulation and its tolerances, summed by the wall clock: a jump may be "
-                 "a pause of the machine. A curve that flattens belongs to a strategy that gains from small "
-                 "displacements." +
+                 "construction of the first triangulation and its tolerances, summed" +
+                     std::string(times_processor(first) ? ": processor time."
+                                                        : " by the wall clock: a jump may be a pause of the machine.") +
+                     " A curve that flattens belongs to a strategy that gains from small "
+                     "displacements." +
                      on_coinciding_curves(plots));
 }
 

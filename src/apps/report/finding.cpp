@@ -185,7 +185,8 @@ std::vector<std::string> findings(const Comparison_record& comparison) {
     const double least = median_step(*fastest), most = median_step(*slowest);
     if (!(least > 0)) return {};
     const std::string word = step_word(*fastest), one = word == "iteration" ? "an iteration" : "a frame";
-    const std::string steps = " for keeping the triangulation in " + one + " by the wall clock, the median of " +
+    const std::string steps = std::string(times_processor(*fastest) ? " of processor time" : " by the wall clock") +
+                              " for keeping the triangulation in " + one + ", the median of " +
                               count_of(fastest->steps.size(), word.c_str(), (word + "s").c_str());
     if (readable(most / least) == "1")
         return {"The " + std::to_string(runs.size()) + " strategies took about as long: " + duration(least) + steps +

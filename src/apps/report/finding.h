@@ -15,8 +15,8 @@ namespace annulus::inline v1 {
 /// Which strategy was the fastest, and by how much. Nothing of fewer than two runs, or where no time was measured.
 [[nodiscard]] std::vector<std::string> findings(const Comparison_record& comparison);
 
-/// The median over the steps of the seconds spent on the triangulation: unlike their sum it leaves out pauses of the
-/// machine. 0 without steps. Linear.
+/// The median over the steps of the seconds spent on the triangulation: where these are of the wall clock, it changes
+/// little as long as fewer than half of the steps have a pause of the machine. 0 without steps. Linear.
 [[nodiscard]] double median_step(const Run_record& run);
 
 }  // namespace annulus::inline v1

@@ -184,7 +184,10 @@ std::string report_html(const Report& report) {
     const Tested_moves tested = tested_moves(run);
     const std::string word = step_word(run);
     append_plots(out, "What " + std::string(run.replayed ? "a " : "an ") + word + " costs" + of, cost_plots(run),
-                 "Times are of the wall clock, which counts pauses of the machine, too." +
+                 std::string(times_processor(run)
+                                 ? "Times are processor time, in which pauses of the machine do not count; only the "
+                                   "total time, below, is of the wall clock."
+                                 : "Times are of the wall clock, which counts pauses of the machine, too.") +
                      (tested.steps > 0 && tested.steps < run.steps.size()
                           ? " Of " + grouped(run.steps.size() - (run.finished ? 1 : 0)) + " " + word + "s " +
                                 (run.finished ? "and the finish " : "") + grouped(tested.steps) +

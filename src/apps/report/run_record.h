@@ -13,7 +13,8 @@
 
 namespace annulus::inline v1 {
 
-/// Wall-clock seconds of a run. `triangulation` is the sum over its steps of the time spent on updating the
+/// Seconds of a run: of the processor with one thread, else of the wall clock, which `total` always is.
+/// `triangulation` is the sum over its steps of the time spent on updating the
 /// triangulation and its tolerances, and nothing else: the first triangulation and its tolerances belong to no step,
 /// but to `construction`.
 struct Seconds_record {
@@ -141,6 +142,9 @@ struct Run_record {
 
 /// What pages call a step of the run: "iteration", or of a replayed motion "frame", to which it leads.
 [[nodiscard]] inline const char* step_word(const Run_record& run) { return run.replayed ? "frame" : "iteration"; }
+
+/// Whether the seconds of a run, but the total, are those of the processor: with one thread, see stopwatch.h.
+[[nodiscard]] inline bool times_processor(const Run_record& run) { return run.threads == 1; }
 
 /// What pages write at an axis of steps: frames of a file have numbers of their own.
 [[nodiscard]] inline const char* step_axis_label(const Run_record& run) {

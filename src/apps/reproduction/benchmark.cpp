@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/benchmark.h>
 
+#include <apps/report/processor_time.h>
 #include <apps/reproduction/certificate_attack.h>
 #include <apps/reproduction/cgal_costs.h>
-#include <apps/reproduction/processor_time.h>
 #include <apps/reproduction/stability.h>
 
 #include <chrono>

@@ -2,7 +2,7 @@
 #include <apps/reproduction/cgal_costs.h>
 
 #include <annulus/error.h>
-#include <apps/reproduction/processor_time.h>
+#include <apps/report/processor_time.h>
 
 #include <algorithm>
 #include <tuple>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/reproduction/contender.h>
 
+#include <apps/report/processor_time.h>
 #include <apps/reproduction/cgal_costs.h>
-#include <apps/reproduction/processor_time.h>
 
 #include <algorithm>
 #include <iterator>
