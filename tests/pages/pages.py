@@ -39,6 +39,8 @@ KINDS = [
     Kind("nodt", "nodt --sphere --vertices 300 --iterations 10 --lock 10",
          shows=["The mesh, cut open", "The mesh", "Convergence"],
          says=["The least dihedral angle of the mesh", "the number of slivers"]),
+    Kind("nodt-finish", "nodt --sphere --vertices 200 --iterations 3 --finish", shows=["The mesh"],
+         says=["degrees at the start, ", " after 3 iterations, ", " after the finish. The number of slivers is"]),
     Kind("replay", "replay MOTION --strategy tolerances",
          shows=["Voronoi cells by number of neighbours", "The triangulation", "What a frame costs"], sliders=1,
          says=["inner vertices have six neighbours", "In the 24 frames after the first, points moved by"]),

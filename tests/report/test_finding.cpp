@@ -105,6 +105,17 @@ TEST_CASE("A finding says how the mesh has changed", "[report]") {
         findings(run)[0] ==
         "The least dihedral angle of the mesh rose from 0.5 to 8.25 degrees, and the number of slivers fell from 12 to "
         "3, of 88 tetrahedra at the end.");
+    run.finished = true;
+    run.steps[0].mesh = Mesh_step{.cells = 89, .slivers = 14, .dihedral_min = 0.25, .dihedral = {}};
+    CHECK(findings(run)[0] ==
+          "The least dihedral angle of the mesh is 0.5 degrees at the start, 0.25 after 1 iteration, 8.25 after the "
+          "finish. The number of slivers is 12 at the start, 14 after 1 iteration, 3 after the finish, of 88 "
+          "tetrahedra at the end.");
+    Run_record only_finish = run;
+    only_finish.steps.erase(only_finish.steps.begin());
+    CHECK(
+        findings(only_finish)[0].starts_with("The least dihedral angle of the mesh is 0.5 degrees at the start, "
+                                             "8.25 after the finish. The number"));
     run.steps[0].mesh = run.steps[1].mesh;
     const Plot slivers = mesh_plots(run)[1];
     CHECK(slivers.title == "Slivers");

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -39,6 +40,23 @@ std::string on_mesh(const Mesh_step& before, const Mesh_step& after) {
     return "The least dihedral angle of the mesh " + from_to(before.dihedral_min, after.dihedral_min) +
            " degrees, and the number of slivers " + from_to(before.slivers, after.slivers) + ", of " +
            count_of(after.cells, "tetrahedron", "tetrahedra") + " at the end.";
+}
+
+/// The same where a finish followed the iterations, if there were any: they may lower the least angle, it raises it.
+std::string on_finished_mesh(const Mesh_step& before, const Run_record& run) {
+    const auto over_time = [&](auto value) {
+        std::string text = value(before) + " at the start, ";
+        const std::size_t iterations = run.steps.size() - 1;
+        if (iterations > 0 && run.steps[iterations - 1].mesh)
+            text += value(*run.steps[iterations - 1].mesh) + " after " + grouped(iterations, "iteration") + ", ";
+        return text + value(*run.steps.back().mesh) + " after the finish";
+    };
+    bool first = true;
+    const std::string angles = over_time(
+        [&](const Mesh_step& m) { return readable(m.dihedral_min) + (std::exchange(first, false) ? " degrees" : ""); });
+    return "The least dihedral angle of the mesh is " + angles + ". The number of slivers is " +
+           over_time([](const Mesh_step& m) { return grouped(m.slivers); }) + ", of " +
+           count_of(run.steps.back().mesh->cells, "tetrahedron", "tetrahedra") + " at the end.";
 }
 
 /// A sentence on the Voronoi neighbours of the inner vertices, of which there are some; `periodic`: all are inner.
@@ -167,7 +185,8 @@ std::vector<std::string> findings(const Run_record& run) {
     if (run.steps.empty()) return at_start(run);
     std::vector<std::string> all;
     const Iteration_record& last = run.steps.back();
-    if (run.mesh_before && last.mesh) all.push_back(on_mesh(*run.mesh_before, *last.mesh));
+    if (run.mesh_before && last.mesh)
+        all.push_back(run.finished ? on_finished_mesh(*run.mesh_before, run) : on_mesh(*run.mesh_before, *last.mesh));
     if (run.plane_before && last.plane) all.push_back(on_plane(*run.plane_before, *last.plane, !run.input.box.empty()));
     if (run.volume_scatter_before && last.volume_scatter)
         all.push_back(on_volumes(*run.volume_scatter_before, *last.volume_scatter));
