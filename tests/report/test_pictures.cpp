@@ -204,6 +204,24 @@ TEST_CASE("Pairs of neighbours have two curves where they differ", "[report]") {
     CHECK(changes().series.size() == 1);
     CHECK(changes().y.label == "pairs made, and as many broken");
     CHECK(contains(frame_figures(frames, {}, false)[0].caption, "flips may be more"));
+    Run_record run;
+    run.steps.resize(2);
+    run.replayed = true;
+    const auto caption = [&](bool steps) { return frame_figures(frames, run, steps)[0].caption; };
+    CHECK(contains(caption(true), "is not counted. So flips may be more."));
+    run.moves.reinserted = 1;
+    CHECK(contains(caption(true),
+                   "is not counted. Points that are inserted or removed change neighbours, too, without "
+                   "flips."));
+    run.moves.rebuilt = 1;
+    CHECK(contains(caption(true),
+                   "is not counted. A frame that was rebuilt has such changes, and no flips: so there "
+                   "is no chart of flips."));
+    CHECK(contains(caption(false), "A frame that was rebuilt has such changes, and no flips."));
+    frames[0].pairs.reset();
+    frames[1].pairs.reset();
+    CHECK(caption(true) == "A frame that was rebuilt has no flips: so there is no chart of flips.");
+    frames[0].pairs = frames[1].pairs = Frame_record::Neighbour_pairs{3, 3};
     frames[1].pairs->broken = 2;
     REQUIRE(changes().series.size() == 2);
     CHECK(changes().series[1].name == "broken");

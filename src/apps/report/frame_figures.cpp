@@ -49,6 +49,18 @@ Plot plot(std::string title, std::string x, std::string y, std::vector<Series> c
             std::move(curves)};
 }
 
+/// How flips and changes of neighbours go together, and of a replayed motion why there is no chart of flips.
+std::string on_flips(const Run_record& run, bool charted, bool changes, bool points_change) {
+    if (run.moves.rebuilt > 0)
+        return std::string(run.replayed ? " A frame" : " An iteration") + " that was rebuilt has " +
+               (changes ? "such changes, and no flips" : "no flips") +
+               (charted ? ": so there is no chart of flips." : ".");
+    if (!changes) return {};
+    if (run.moves.reinserted > 0 || points_change)
+        return " Points that are inserted or removed change neighbours, too, without flips.";
+    return " So flips may be more.";
+}
+
 }  // namespace
 
 std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const Run_record& run, bool steps,
@@ -82,7 +94,9 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
             motion.panels.push_back(plot("Flips", step_axis_label(run), "flips in a frame",
                                          {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }
-    if (std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; }))
+    const bool points_change =
+        std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.points != frames.front().points; });
+    if (points_change)
         motion.panels.push_back(
             plot("Points", word, "points", {over_frames("", [](const auto& f) { return std::optional(f.points); })}));
     const auto pairs = [&](std::string name, auto member) {
@@ -97,7 +111,9 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     if (!changes[0].x.empty())
         motion.caption = "Pairs of neighbours at the end of a " + word +
                          " that were none at the end of the one before, or the reverse: what is made and broken again "
-                         "in between is not counted, so that flips may be more.";
+                         "in between is not counted.";
+    motion.caption += on_flips(run, steps, !changes[0].x.empty(), points_change);
+    if (motion.caption.starts_with(' ')) motion.caption.erase(0, 1);
     motion.panels.push_back(plot("Neighbours that change", word,
                                  alike ? "pairs made, and as many broken" : "pairs since the " + word + " before",
                                  std::move(changes)));
