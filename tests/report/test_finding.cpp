@@ -47,8 +47,12 @@ TEST_CASE("Moves are within tolerance or beyond it only where that was tested", 
     run.tolerance = "certified";
     run.steps[0].tested_tolerances = false;
     run.steps[0].moves.within_tolerance = 5;  // at rest
-    CHECK(contains(joined(findings(run)),
-                   " 90 % of the moves in the 1 iteration that tested tolerances stayed within their tolerance: "));
+    CHECK(
+        contains(joined(findings(run)),
+                 " 90 % of the moves in the 1 of 2 iterations that tested tolerances stayed within their tolerance: "));
+    Run_record longer = run;  // one step of three does not stand for all
+    longer.steps.push_back(run.steps[0]);
+    CHECK(!contains(joined(findings(longer)), "their tolerance"));
     const std::vector<Plot> plots = cost_plots(run);
     REQUIRE(plots.size() == 2);
     CHECK(plots[0].title == "Moves beyond their tolerance");
@@ -239,7 +243,7 @@ TEST_CASE("A replayed motion has frames, and a finish is no iteration", "[report
     run.finished = true;
     run.steps[0].tested_tolerances = false;
     CHECK(contains(joined(findings(run)), "In 1 iteration and the finish points moved by"));
-    CHECK(contains(joined(findings(run)), "of the moves in the finish that tested tolerances"));
+    CHECK(contains(joined(findings(run)), "of the moves in the 1 of 2 steps, the finish included, that tested"));
     CHECK(cost_plots(run).back().x.label == "iteration, the last: the finish");
 }
 

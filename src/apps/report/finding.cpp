@@ -132,14 +132,15 @@ std::string on_steps(const Run_record& run) {
                                                          (relative.empty() ? "" : "," + relative) + ".");
     if (run.moves.asked == 0) return text;
     if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every " + word + ".";
-    if (const Tested_moves tested = tested_moves(run); tested.steps > 0 && 10 * tested.within_tolerance >= tested.asked)
-        text +=
-            " " + percent(tested.within_tolerance, tested.asked) +
-            (tested.steps == run.steps.size()
-                 ? " of the moves"
-                 : (run.finished ? " of the moves in " : " of the moves in the ") +
-                       counted_steps(tested.steps, run.steps.back().tested_tolerances) + " that tested tolerances") +
-            " stayed within their tolerance: nothing had to be computed for them.";
+    const Tested_moves tested = tested_moves(run);
+    // What holds for less than half of the steps does not stand for the run.
+    if (2 * tested.steps >= run.steps.size() && 10 * tested.within_tolerance >= tested.asked)
+        text += " " + percent(tested.within_tolerance, tested.asked) + " of the moves" +
+                (tested.steps == run.steps.size()
+                     ? ""
+                     : " in the " + grouped(tested.steps) + " of " + grouped(run.steps.size()) + " " +
+                           (run.finished ? "steps, the finish included," : word + "s") + " that tested tolerances") +
+                " stayed within their tolerance: nothing had to be computed for them.";
     if (flips > 0) text += " " + count_of(flips, "flip", "flips") + " kept the triangulation Delaunay.";
     if (built > 0)
         text += " The triangulation was rebuilt in " + counted_steps(built, run.steps.back().moves.rebuilt > 0) + ".";
