@@ -218,6 +218,13 @@ TEST_CASE("Pairs of neighbours have two curves where they differ", "[report]") {
                    "is not counted. A frame that was rebuilt has such changes, and no flips: so there "
                    "is no chart of flips."));
     CHECK(contains(caption(false), "A frame that was rebuilt has such changes, and no flips."));
+    run.moves.rebuilt = run.moves.reinserted = 0;
+    run.strategy = "paper:floating";
+    CHECK(contains(caption(true), "is not counted. The strategy paper:floating counts no flips."));
+    CHECK(frame_figures(frames, run, true)[0].panels.size() == 2);
+    run.strategy = "auto";
+    CHECK(frame_figures(frames, run, true)[0].panels.size() == 3);
+    run.moves.rebuilt = 1;
     frames[0].pairs.reset();
     frames[1].pairs.reset();
     CHECK(caption(true) == "A frame that was rebuilt has no flips: so there is no chart of flips.");

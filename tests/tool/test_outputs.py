@@ -145,6 +145,17 @@ class Outputs(ToolTest):
                     elif strategy == "auto":
                         self.assertLess(tested, 5)
 
+    def test_flips_are_empty_where_they_are_not_counted(self):
+        for strategy in tool.STRATEGIES:
+            self.succeed("lloyd", "--points", "200", "--iterations", "5", "--strategy", strategy, "--output", "out",
+                         "--quiet", "--force")
+            rows = self.rows(self.here / "out" / "iterations.csv")
+            self.assertEqual({row["flips"] == "" for row in rows}, {strategy.startswith("paper")}, strategy)
+            if strategy == "paper":
+                self.assertGreater(sum(int(row["flipped"]) for row in rows), 0)
+            elif strategy == "tolerances":
+                self.assertGreater(sum(int(row["flips"]) for row in rows), 0)
+
     def test_one_is_singular(self):
         self.write("one.csv", "frame,id,x,y\n0,1,0.5,0.5\n1,1,0.25,0.5\n")
         said = self.succeed("replay", "one.csv", "--output", "one").stdout

@@ -55,6 +55,7 @@ std::string on_flips(const Run_record& run, bool charted, bool changes, bool poi
         return std::string(run.replayed ? " A frame" : " An iteration") + " that was rebuilt has " +
                (changes ? "such changes, and no flips" : "no flips") +
                (charted ? ": so there is no chart of flips." : ".");
+    if (!counts_flips(run)) return charted ? " The strategy " + run.strategy + " counts no flips." : "";
     if (!changes) return {};
     if (run.moves.reinserted > 0 || points_change)
         return " Points that are inserted or removed change neighbours, too, without flips.";
@@ -90,7 +91,7 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
                 plot("How far points go in a frame", step_axis_label(run), length,
                      {over_steps("mean", [](const auto& s) { return std::optional(s.displacement_mean); }),
                       over_steps("largest", [](const auto& s) { return std::optional(s.displacement_max); })}));
-        if (run.moves.rebuilt == 0)  // a rebuild has no flips
+        if (run.moves.rebuilt == 0 && counts_flips(run))  // a rebuild has none
             motion.panels.push_back(plot("Flips", step_axis_label(run), "flips in a frame",
                                          {over_steps("", [](const auto& s) { return std::optional(s.flips); })}));
     }

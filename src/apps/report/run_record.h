@@ -158,6 +158,11 @@ struct Run_record {
     return !run.tolerance.empty() && (name == "auto" || name.starts_with("tolerances") || name.starts_with("paper"));
 }
 
+/// Whether flips of a run are counted: not those of the paper's algorithm, which it makes in 2D.
+[[nodiscard]] inline bool counts_flips(const Run_record& run) {
+    return run.dimension != 2 || !run.strategy.starts_with("paper");
+}
+
 /// The moves of those steps of a run that tested tolerances.
 struct Tested_moves {
     std::uint64_t steps = 0, asked = 0, within_tolerance = 0;

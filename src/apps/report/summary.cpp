@@ -161,12 +161,26 @@ Csv_table iterations_table(const Run_record& run) {
                                                  "locked", "kept", "cells", "slivers", "dihedral_min", "dihedral_max"});
     table.rows.reserve(run.steps.size());
     for (const Iteration_record& s : run.steps) {
-        table.rows.push_back(
-            {s.iteration,           s.seconds_triangulation, s.seconds_motion,         s.seconds_cumulative,
-             s.displacement_mean,   s.displacement_max,      cell(s.tolerance_mean),   cell(s.annulus_width_mean),
-             cell(s.theta_min),     s.moves.asked,           s.moves.within_tolerance, s.moves.kept_in_place,
-             s.moves.flipped,       s.moves.reinserted,      s.moves.rebuilt,          s.arithmetic.filter,
-             s.arithmetic.interval, s.arithmetic.exact,      s.certificates_evaluated, s.flips});
+        table.rows.push_back({s.iteration,
+                              s.seconds_triangulation,
+                              s.seconds_motion,
+                              s.seconds_cumulative,
+                              s.displacement_mean,
+                              s.displacement_max,
+                              cell(s.tolerance_mean),
+                              cell(s.annulus_width_mean),
+                              cell(s.theta_min),
+                              s.moves.asked,
+                              s.moves.within_tolerance,
+                              s.moves.kept_in_place,
+                              s.moves.flipped,
+                              s.moves.reinserted,
+                              s.moves.rebuilt,
+                              s.arithmetic.filter,
+                              s.arithmetic.interval,
+                              s.arithmetic.exact,
+                              s.certificates_evaluated,
+                              counts_flips(run) ? Csv_cell(s.flips) : Csv_cell()});
         if (run.mesh_before) append_mesh(table.rows.back(), s);
     }
     return table;
