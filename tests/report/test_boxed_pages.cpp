@@ -65,3 +65,18 @@ TEST_CASE("A page without tolerances does not speak of them", "[report]") {
     report.run.steps[0].annulus_width_mean = 0.5;
     CHECK(convergence_plots(report).front().title == "Displacement, annulus width");
 }
+
+TEST_CASE("In a periodic box all cells are bounded", "[report]") {
+    Run_record run = two_steps();
+    std::vector<Frame_record> frames(2);
+    frames[0].voronoi = frames[1].voronoi = Frame_record::Voronoi{.bounded = 5, .hexagons = 0.25};
+    const auto titles = [&] {
+        std::string all;
+        const std::vector<Figure> figures = frame_figures(frames, run, false);
+        for (const Plot& plot : figures.back().panels) all += plot.title + "; ";
+        return all;
+    };
+    CHECK(titles() == "The area of bounded cells; Cells with six neighbours, of all bounded cells; Unbounded cells; ");
+    run.input.box = {{4, 0}, {0, 1}};
+    CHECK(titles() == "The area of cells; Cells with six neighbours, of all cells; ");
+}
