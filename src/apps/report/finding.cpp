@@ -126,10 +126,11 @@ std::string on_steps(const Run_record& run) {
                                        " after the first, points "
                                  : "In " + counted_steps(run.steps.size(), true) + " points ";
     const std::string relative = box_changes(run) ? " relative to the box" : "";
-    std::string text = when + (only_box_moves(run) ? "did not move" + relative + "."
-                                                   : "moved by " + readable(sum / steps) + " mean spacings " + article +
-                                                         word + " on average, and by " + readable(most) + " at most" +
-                                                         (relative.empty() ? "" : "," + relative) + ".");
+    std::string text =
+        when + (only_box_moves(run) ? "did not move" + relative + (most > 0 ? ", but for rounding." : ".")
+                                    : "moved by " + readable(sum / steps) + " mean spacings " + article + word +
+                                          " on average, and by " + readable(most) + " at most" +
+                                          (relative.empty() ? "" : "," + relative) + ".");
     if (run.moves.asked == 0) return text;
     if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every " + word + ".";
     const Tested_moves tested = tested_moves(run);
