@@ -53,9 +53,11 @@ TEST_CASE("The mean spacing is that of the domain, of the box or of the first fr
 TEST_CASE("The terms of a page are those of its dimension and of its tolerances", "[report]") {
     Report report = with_tolerances("auto", "certified");
     const std::string plane = terms(report);
-    for (const char* part : {"Bi-cell: two triangles that share an edge. ", "with the points of a bi-cell on them",
-                             "Certified: it is a lower bound", "An iteration tested tolerances where they decided",
-                             "the other diagonal", "Mean spacing, the unit of lengths: the square root"})
+    for (const char* part :
+         {"Bi-cell: two triangles that share an edge. ",
+          "with the points of a bi-cell on them; the standard one has those of the shared edge on one of them",
+          "Certified: it is a lower bound", "An iteration tested tolerances where they decided", "the other diagonal",
+          "Mean spacing, the unit of lengths: the square root"})
         CHECK(contains(plane, part));
     report.run.dimension = 3;
     report.run.replayed = true;

@@ -114,6 +114,9 @@ class BoxedSweep(tool.ToolTest):
 
     def test_hard_inputs_have_the_places_of_images(self):
         self.sweep("hardest = 40\n[[grid]]\nbox = [\"2,1\", \"1,1,1\"]\npoints = 30\nseeds = 3\n")
+        page = (self.here / "out" / "sweep.html").read_text(encoding="utf-8")  # of boxes alone
+        self.assertEqual(page.count("the standard one has those of the shared edge (2D) or triangle (3D)"), 1)
+        self.assertNotRegex(page.split("</h1>")[1], "(?i)paper|unsound")
         hard = self.lines("hard.jsonl")
         self.assertEqual({one["certificate"] for one in hard},
                          {"orientation_2", "empty_circle_2", "orientation_3", "empty_sphere_3"})

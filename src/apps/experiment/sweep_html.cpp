@@ -32,7 +32,8 @@ Table_cell share(std::uint64_t part, std::uint64_t all) {
     return {all == 0 ? "–" : part == 0 ? "0" : escaped(readable(100 * s)) + " %", s};
 }
 
-Table_row row_of(const Grid_point& point, std::size_t number) {
+/// `open`: with columns of the paper's tolerance, which is not computed in periodic boxes.
+Table_row row_of(const Grid_point& point, std::size_t number, bool open) {
     const Tally& t = point.tally;
     const std::uint64_t bicells = count(t, "bicells.total"), vertices = count(t, "vertices");
     const auto least = t.least.find("bicells.width");
@@ -46,8 +47,9 @@ Table_row row_of(const Grid_point& point, std::size_t number) {
     else row.push_back({escaped(readable(least->second)), least->second});
     for (const char* name : {"bicells.stage.interval", "bicells.stage.exact", "bicells.not_convex"})
         row.push_back(share(count(t, name), bicells));
-    for (const char* name : {"tolerance.paper_above_exact", "tolerance.paper_unsound"})
-        row.push_back(share(count(t, name), t.counts.contains(name) ? vertices : 0));  // there is none in a box
+    if (open)
+        for (const char* name : {"tolerance.paper_above_exact", "tolerance.paper_unsound"})
+            row.push_back(share(count(t, name), t.counts.contains(name) ? vertices : 0));  // there is none in a box
     row.push_back({grouped(count(t, "flat")), static_cast<double>(count(t, "flat"))});
     return row;
 }
@@ -94,18 +96,22 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     }
     for (const auto& [space, tally] : sum) append_findings(out, {finding(space, tally)});
     out += "<h2>What was found</h2>\n";
+    const bool open = std::any_of(sum.begin(), sum.end(), [](const auto& s) { return !s.first.periodic; });
     std::vector<Table_row> rows;
-    for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1));
-    append_table(
-        out,
-        {"grid point", "placements", "bi-cells a vertex", "exactly 0", "width &lt; 1e-9", "&lt; 1e-3", "least width",
-         "decided by intervals", "by integers", "not convex", "paper above exact", "paper unsound", "flat"},
-        rows, true);
+    for (const Grid_point& point : points) rows.push_back(row_of(point, rows.size() + 1, open));
+    std::vector<std::string> head{"grid point", "placements",  "bi-cells a vertex",    "exactly 0",   "width &lt; 1e-9",
+                                  "&lt; 1e-3",  "least width", "decided by intervals", "by integers", "not convex"};
+    if (open) head.insert(head.end(), {"paper above exact", "paper unsound"});
+    head.emplace_back("flat");
+    append_table(out, head, rows, true);
     out +=
-        "<figcaption>Each row adds the placements that differ in their seed only. Widths in mean spacings. Shares are "
-        "of bi-cells, but in the two columns on the paper of vertices: where its tolerance is above the distance to "
-        "the nearest placement at which a certificate is exactly 0, and where it is unsound. Flat: placements whose "
-        "points do not span the space, of which nothing is counted.</figcaption>\n";
+        std::string(
+            "<figcaption>Each row adds the placements that differ in their seed only. Widths in mean "
+            "spacings. Shares are of bi-cells") +
+        (open ? ", but in the two columns on the paper of vertices: where its tolerance is above the distance to the "
+                "nearest placement at which a certificate is exactly 0, and where it is unsound."
+              : ".") +
+        " Flat: placements whose points do not span the space, of which nothing is counted.</figcaption>\n";
     Tally all;
     for (const auto& [space, tally] : sum) {
         const std::string where = sum.size() > 1 ? " " + space.words() : "";
@@ -122,8 +128,7 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     append_row(out, "seed of the sweep, from which each trial has its own", std::to_string(spec.seed));
     out += "</table></div>\n";
     const auto has = [&sum](int dimension, bool periodic) { return sum.contains({dimension, periodic}); };
-    append_degeneracy_terms(
-        out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !has(2, false) && !has(3, false)});
+    append_degeneracy_terms(out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !open});
     return out + page_foot();
 }
 

@@ -26,7 +26,10 @@ std::string certificate_terms(const Certificate_terms& of) {
            (of.periodic ? std::string()
                         : ", that of a hull " + word_of(of, "vertex", "edge") + " that the hull is convex there") +
            ". Annulus: the region between two concentric " + word_of(of, "circles", "spheres") +
-           " with the points of a bi-cell on them. Slab: that between two parallel " + word_of(of, "lines", "planes") +
+           " with the points of a bi-cell on them; the standard one has those of the shared " +
+           word_of(of, "edge", "triangle") +
+           " on one of them and the two others on the other. Slab: that between two parallel " +
+           word_of(of, "lines", "planes") +
            " with the points of a cell on them. Half of its width is the tolerance of the certificate: as long as none "
            "of its points moves further, its sign stays. That of a vertex is the least of its certificates.";
 }

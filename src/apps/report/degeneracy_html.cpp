@@ -79,7 +79,7 @@ void append_counts(std::string& out, const Degeneracy& d) {
     };
     const Certificate_names w = words(d.dimension);
     add_widths(w.bicell, d.bicells.least);
-    if (d.dimension == 3) add_widths("&nbsp; the paper's annulus alone", d.standard);
+    if (d.dimension == 3) add_widths("&nbsp; the standard annulus alone", d.standard);
     add_widths(w.cell, d.cells.least);
     if (!d.periodic) add_widths(w.ridge, d.ridges.least);
     add("vertices (tolerance)", d.vertices.total, d.vertices.zero, d.vertices.below);
@@ -114,7 +114,7 @@ void append_quantiles(std::string& out, const Degeneracy& d) {
     };
     const Certificate_names w = words(d.dimension);
     add(std::string("width of ") + w.bicell, d.bicells.least.width);
-    if (d.dimension == 3) add("width of the paper's annuli", d.standard.width);
+    if (d.dimension == 3) add("width of standard annuli", d.standard.width);
     add(std::string("width of ") + w.cell, d.cells.least.width);
     add(std::string("width at ") + w.ridge, d.ridges.least.width);
     add("certified tolerance", d.vertices.certified);
@@ -253,7 +253,7 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     append_paper(out, d);
     const Certificate_names w = words(d.dimension);
     std::vector<std::pair<std::string, const Distribution*>> widths{{"bi-cells", &d.bicells.least.width}};
-    if (d.dimension == 3) widths.emplace_back("paper's annuli", &d.standard.width);
+    if (d.dimension == 3) widths.emplace_back("standard annuli", &d.standard.width);
     widths.emplace_back(w.cell, &d.cells.least.width);
     widths.emplace_back(w.ridge, &d.ridges.least.width);
     const std::vector<std::pair<std::string, const Distribution*>> tolerances{{"certified", &d.vertices.certified},
