@@ -27,7 +27,10 @@ class Sign_costs {
                                  [this](auto& x) {
                                      for (auto& p : x) {
                                          double square = 0.0;
-                                         for (double& c : p) square += (c = random_.normal()) * c;
+                                         for (double& c : p) {
+                                             c = random_.normal();
+                                             square += c * c;
+                                         }
                                          for (double& c : p) c /= std::sqrt(square);
                                      }
                                  });
