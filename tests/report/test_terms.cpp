@@ -5,6 +5,7 @@
 #include <formats/well_formed.h>
 
 #include <apps/report/run_terms.h>
+#include <apps/report/terms.h>
 
 #include <support/catch.h>
 
@@ -50,19 +51,26 @@ TEST_CASE("The mean spacing is that of the domain, of the box or of the first fr
     CHECK(contains(report_html(report), "Lengths in mean spacings: the square root of the area of the bounding box"));
 }
 
+TEST_CASE("Terms are a list of words with what they mean", "[report]") {
+    std::string out;
+    append_terms(out, {{"n < m", "fewer & fewer"}, {"Last", "the end"}});
+    CHECK(well_formed("<div>" + out + "</div>"));
+    CHECK(contains(out, "<dt>n &lt; m</dt><dd>fewer &amp; fewer</dd>\n<dt>Last</dt><dd>the end</dd>\n</dl>"));
+}
+
 TEST_CASE("The terms of a page are those of its dimension and of its tolerances", "[report]") {
     Report report = with_tolerances("auto", "certified");
     const std::string plane = terms(report);
     for (const char* part :
-         {"Bi-cell: two triangles that share an edge. ",
+         {"<dt>Bi-cell</dt><dd>Two triangles that share an edge.</dd>",
           "with the points of a bi-cell on them; the standard one has those of the shared edge on one of them",
           "Certified: it is a lower bound", "An iteration tested tolerances where they decided", "the other diagonal",
-          "Mean spacing, the unit of lengths: the square root"})
+          "<dt>Mean spacing</dt><dd>The unit of lengths: the square root"})
         CHECK(contains(plane, part));
     report.run.dimension = 3;
     report.run.replayed = true;
     const std::string space = terms(report);
-    for (const char* part : {"two tetrahedra that share a triangle. ", "concentric spheres", "A frame tested"})
+    for (const char* part : {"Two tetrahedra that share a triangle.", "concentric spheres", "A frame tested"})
         CHECK(contains(space, part));
     CHECK(!contains(space, "triangles"));
     CHECK(contains(terms(with_tolerances("rebuild", "certified")), "The strategy rebuild tests no tolerances."));
@@ -71,7 +79,8 @@ TEST_CASE("The terms of a page are those of its dimension and of its tolerances"
     report.comparison = Comparison_record{{with_tolerances("paper", "paper").run, report.run}, true, {}};
     report.run.strategy = "rebuild";
     const std::string both = terms(report);
-    for (const char* part : {"Of the kind paper", "Certified:", "Within tolerance"}) CHECK(contains(both, part));
+    for (const char* part : {"Of the kind paper", "Certified:", "<dt>Within tolerance</dt>"})
+        CHECK(contains(both, part));
     report.comparison = Comparison_record{{with_tolerances("rebuild", "certified").run, report.run}, true, {}};
     CHECK(contains(terms(report), "These strategies test no tolerances."));
     report = with_tolerances("auto", "");
@@ -92,9 +101,9 @@ TEST_CASE("Inner vertices and measured triangles are those that the page counts"
     CHECK(contains(cells_caption(run), "each triangle, those along the hull included."));
     CHECK(std::string(white_cells(run)) == "unbounded");
     run.clip = Clip_record{"box", {}};
-    CHECK(contains(cells_caption(run), "bounded and not cut by the clip."));
-    CHECK(contains(cells_caption(run), "is in the clip."));
-    CHECK(std::string(white_cells(run)) == "cut by the clip");
+    CHECK(contains(cells_caption(run), "bounded and not cut by the clipping region."));
+    CHECK(contains(cells_caption(run), "is in the clipping region."));
+    CHECK(std::string(white_cells(run)) == "cut by the clipping region");
     run.clip.reset();
     run.input.box = {{1, 0}, {0, 1}};
     CHECK(cells_caption(run) ==

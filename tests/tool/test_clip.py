@@ -143,7 +143,7 @@ class Clip(FrameTest):
                 self.assertGreater(whole, 5)
                 self.assertIn(f"{six} of the {whole} inner", page)
                 self.assertIn("share of the cells that are not cut (%)", page)
-                self.assertIn("</svg>cut by the clip</span>", page)
+                self.assertIn("</svg>cut by the clipping region</span>", page)
                 self.assertNotIn("at the border", page)
                 last = page.split('aria-label="Clipped Voronoi cells, frame 2"')[1].split("</svg>")[0]
                 faces = dict(re.findall(r'class="face n(\d)" stroke-width="\d+" d="([^"]*)"', last))

@@ -61,7 +61,7 @@ class Degeneracy(tool.ToolTest):
         self.assertNotIn('aria-label="Tolerances of vertices"', page)  # all are exactly 0
         self.assertIn("All vertices have a certified tolerance of 0", page)
         self.assertIn("The histogram of widths leaves out 25 of the 65 bi-cells", page)
-        self.assertIn("<h2>Terms</h2>\n<p>Bi-cell: two triangles that share an edge. ", page)
+        self.assertIn("<dt>Bi-cell</dt><dd>Two triangles that share an edge.</dd>", page)
         # Half of the bi-cells are 0, the others have one width: a step up to 100 %, on a decade or more.
         widths = page.split('aria-label="Widths"')[1].split("</svg>")[0]
         labels = re.findall(r'class="tl m"[^>]*>([^<]+)<', widths)

@@ -289,7 +289,7 @@ class Found(SweepTest):
         self.assertEqual(page.count('aria-label="Cells by width"'), 1)
         self.assertEqual(page.count("The paper&#39;s tolerance is the exact one at all vertices"), 1)
         self.assertEqual(page.count('aria-label="The paper&#39;s tolerance over the exact one"'), 1)
-        self.assertIn("<h2>Terms</h2>\n<p>Bi-cell: two triangles that share an edge (2D) or tetrahedra that", page)
+        self.assertIn("<dt>Bi-cell</dt><dd>Two triangles that share an edge (2D) or tetrahedra that", page)
         # Curves of ratios begin at 1 or below, and not at the upper edge of the bin of 1.
         ratios = page.split('aria-label="The paper&#39;s tolerance over the exact one"')[1].split("</svg>")[0]
         tick = float(re.search(r'class="tl m" x="([\d.]+)"[^>]*>1<', ratios)[1])

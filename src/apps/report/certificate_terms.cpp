@@ -16,37 +16,43 @@ std::string word_of(const Certificate_terms& of, std::string_view plane, std::st
 
 }  // namespace
 
-std::string certificate_terms(const Certificate_terms& of) {
-    return "Bi-cell: two " + word_of(of, "triangles that share an edge", "tetrahedra that share a triangle") +
-           ". Certificate: the sign of a determinant; all of them together prove the triangulation Delaunay. That of a "
-           "bi-cell says that the " +
-           word_of(of, "circle", "sphere") +
-           " through one cell leaves the opposite vertex of the other outside, that of a cell that it is not turned "
-           "over" +
-           (of.periodic ? std::string()
-                        : ", that of a hull " + word_of(of, "vertex", "edge") + " that the hull is convex there") +
-           ". Annulus: the region between two concentric " + word_of(of, "circles", "spheres") +
-           " with the points of a bi-cell on them; the standard one has those of the shared " +
-           word_of(of, "edge", "triangle") +
-           " on one of them and the two others on the other. Slab: that between two parallel " +
-           word_of(of, "lines", "planes") +
-           " with the points of a cell on them. Half of its width is the tolerance of the certificate: as long as none "
-           "of its points moves further, its sign stays. That of a vertex is the least of its certificates.";
+Terms certificate_terms(const Certificate_terms& of) {
+    return {
+        {"Bi-cell", "Two " + word_of(of, "triangles that share an edge", "tetrahedra that share a triangle") + "."},
+        {"Certificate",
+         "The sign of a determinant; all of them together prove the triangulation Delaunay. That of a bi-cell says "
+         "that the " +
+             word_of(of, "circle", "sphere") +
+             " through one cell leaves the opposite vertex of the other outside, that of a cell that it is not turned "
+             "over" +
+             (of.periodic ? std::string()
+                          : ", that of a hull " + word_of(of, "vertex", "edge") + " that the hull is convex there") +
+             "."},
+        {"Annulus", "The region between two concentric " + word_of(of, "circles", "spheres") +
+                        " with the points of a bi-cell on them; the standard one has those of the shared " +
+                        word_of(of, "edge", "triangle") + " on one of them and the two others on the other."},
+        {"Slab",
+         "The region between two parallel " + word_of(of, "lines", "planes") + " with the points of a cell on them."},
+        {"Tolerance",
+         "Of a certificate, half of the width of its annulus or slab: as long as none of its points moves further, its "
+         "sign stays. Of a vertex, the least of its certificates."},
+    };
 }
 
 void append_degeneracy_terms(std::string& out, const Certificate_terms& of) {
-    out += "<h2>Terms</h2>\n<p>" + certificate_terms(of) +
-           " Degenerate: the determinant of a certificate is 0. Theta: the angle between the axis of the " +
-           word_of(of, "edge", "triangle") +
-           " that a bi-cell shares and the bisector of its two other vertices. Mean spacing: the " +
-           word_of(of, "square root of the area", "cube root of the volume") + " of the " +
-           (of.periodic ? "box" : "hull") + " that one vertex has on average.";
+    Terms terms = certificate_terms(of);
+    terms.push_back({"Degenerate", "The determinant of a certificate is 0."});
+    terms.push_back({"Theta", "The angle between the axis of the " + word_of(of, "edge", "triangle") +
+                                  " that a bi-cell shares and the bisector of its two other vertices."});
+    terms.push_back({"Mean spacing", "The " + word_of(of, "square root of the area", "cube root of the volume") +
+                                         " of the " + (of.periodic ? "box" : "hull") +
+                                         " that one vertex has on average."});
     if (!of.periodic)
-        out +=
-            " Unsound: a vertex is in a certificate all points of which can go to where it fails and stay within the "
-            "paper's tolerances. The paper: de Castro, Tournois, Alliez and Devillers, Filtering relocations on a "
-            "Delaunay triangulation, 2009.";
-    out += " More in docs/glossary.md and docs/theory.md.</p>\n";
+        terms.push_back({"Unsound",
+                         "A vertex is in a certificate all points of which can go to where it fails and stay within "
+                         "the paper's tolerances. The paper: de Castro, Tournois, Alliez and Devillers, Filtering "
+                         "relocations on a Delaunay triangulation, 2009."});
+    append_terms(out, terms);
 }
 
 }  // namespace annulus::inline v1

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <apps/report/terms.h>
+
 #include <string>
 
 namespace annulus::inline v1 {
@@ -12,10 +14,10 @@ struct Certificate_terms {
     bool periodic = false;  ///< in a periodic box: without a hull, and without the paper's tolerances
 };
 
-/// What bi-cells, certificates, annuli, slabs and tolerances are: sentences. Precondition: `plane` or `space`.
-[[nodiscard]] std::string certificate_terms(const Certificate_terms& of);
+/// What bi-cells, certificates, annuli, slabs and tolerances are; the tolerance last. Precondition: `plane` or `space`.
+[[nodiscard]] Terms certificate_terms(const Certificate_terms& of);
 
-/// A heading and a paragraph, HTML, for the end of a page on degeneracy. The same precondition.
+/// A heading and a list, HTML, for the end of a page on degeneracy. The same precondition.
 void append_degeneracy_terms(std::string& out, const Certificate_terms& of);
 
 }  // namespace annulus::inline v1

@@ -121,10 +121,10 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     const char* const volume = run.dimension == 2 ? "area" : "volume";
     const std::string bounded = run.input.box.empty() ? "bounded cells" : "cells";  // in a periodic box all are
     const std::string counted = run.clip ? "cells that are not cut" : bounded;
-    cells.panels.push_back(plot(std::string("The ") + volume + " of " + (run.clip ? "cells in the clip" : bounded),
-                                word, volume,
-                                {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
-                                 voronoi("95 %", &Voronoi::volume_high)}));
+    cells.panels.push_back(plot(
+        std::string("The ") + volume + " of " + (run.clip ? "cells in the clipping region" : bounded), word, volume,
+        {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
+         voronoi("95 %", &Voronoi::volume_high)}));
     Series hexagons = voronoi("", &Voronoi::hexagons);
     for (double& share : hexagons.y) share *= 100;
     if (run.dimension == 2)

@@ -21,6 +21,7 @@ h1{font-size:1.7rem;line-height:1.2;font-weight:600;margin:0 0 10px;letter-spaci
 h2{font-size:1.12rem;font-weight:600;margin:52px 0 14px;padding-top:14px;border-top:1px solid var(--rule)}
 h3{font-size:.95rem;font-weight:600;margin:0 0 6px}
 p{margin:0 0 10px;max-width:46em}
+.terms{max-width:46em;margin:0 0 10px}.terms dt{font-weight:600}.terms dd{margin:0 0 8px}
 a{color:var(--c0)}
 code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;overflow-wrap:anywhere}
 .command{color:var(--soft);margin-bottom:24px}

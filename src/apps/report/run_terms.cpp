@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/report/run_terms.h>
 
-#include <apps/formats/markup.h>
 #include <apps/report/certificate_terms.h>
 
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -26,23 +26,25 @@ std::string on_kind(const std::string& kind) {
     return " Of the kind " + kind + ": in plain double, not certified.";
 }
 
-/// How tolerances are tested, and which ones.
-std::string on_tolerances(const std::vector<Run_record>& runs) {
-    std::string text;
+/// Certificates and their tolerances, of which kinds, and how the runs test them.
+void append_tolerances(Terms& terms, bool plane, const std::vector<Run_record>& runs) {
+    for (Term& term : certificate_terms({plane, !plane, false})) terms.push_back(std::move(term));
+    std::string& tolerance = terms.back().meaning;
     std::set<std::string> kinds;
     for (const Run_record& run : runs)
-        if (kinds.insert(run.tolerance).second) text += on_kind(run.tolerance);
-    const bool any = std::any_of(runs.begin(), runs.end(), has_tolerances);
-    if (!any)
-        return text + (runs.size() == 1 ? " The strategy " + runs.front().strategy : " These strategies") +
-               (runs.size() == 1 ? " tests no tolerances." : " test no tolerances.");
+        if (kinds.insert(run.tolerance).second) tolerance += on_kind(run.tolerance);
+    if (std::none_of(runs.begin(), runs.end(), has_tolerances)) {
+        tolerance += runs.size() == 1 ? " The strategy " + runs.front().strategy + " tests no tolerances."
+                                      : " These strategies test no tolerances.";
+        return;
+    }
     const std::string step = step_word(runs.front());
-    return text +
-           " Within tolerance: one comparison of the way of a vertex with its tolerance passed, and nothing "
-           "else is computed for the vertex. " +
-           (step == "frame" ? "A " : "An ") + step +
-           " tested tolerances where they decided: not where so many moves failed that the signs of all certificates "
-           "were evaluated instead, nor where all was rebuilt.";
+    terms.push_back({"Within tolerance",
+                     "One comparison of the way of a vertex with its tolerance passed, and nothing else is computed "
+                     "for the vertex. " +
+                         std::string(step == "frame" ? "A " : "An ") + step +
+                         " tested tolerances where they decided: not where so many moves failed that the signs of all "
+                         "certificates were evaluated instead, nor where all was rebuilt."});
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ std::string mean_spacing_of(const Run_record& run) {
 }
 
 const char* white_cells(const Run_record& run) {
-    return in_box(run) ? "" : run.clip ? "cut by the clip" : run.replayed ? "unbounded" : "at the border";
+    return in_box(run) ? "" : run.clip ? "cut by the clipping region" : run.replayed ? "unbounded" : "at the border";
 }
 
 std::string cells_caption(const Run_record& run) {
@@ -68,7 +70,7 @@ std::string cells_caption(const Run_record& run) {
         return "Inner vertices are those that are not on the convex hull: their Voronoi cells are bounded. Only their "
                "neighbours are counted. " +
                angle + "each triangle, those along the hull included.";
-    const std::string what = run.clip ? "clip" : "domain";
+    const std::string what = run.clip ? "clipping region" : "domain";
     return "Inner vertices are those whose Voronoi cells are bounded and not cut by the " +
            (run.clip ? what : "border of the " + what) + ". Only their neighbours are counted. " + angle +
            "each triangle whose circumcentre, where three cells meet, is in the " + what + ".";
@@ -77,21 +79,19 @@ std::string cells_caption(const Run_record& run) {
 void append_run_terms(std::string& out, const Report& report) {
     const Run_record& run = report.run;
     const bool plane = run.dimension == 2;
-    std::string text = "Mean spacing, the unit of lengths: " + mean_spacing_of(run) + ". ";
-    if (!run.tolerance.empty()) {
-        text += certificate_terms({plane, !plane, false}) +
-                on_tolerances(report.comparison && !report.comparison->runs.empty() ? report.comparison->runs
-                                                                                    : std::vector{run}) +
-                " ";
-    }
-    text += std::string("Flip: ") +
-            (plane ? "the edge that two triangles share is replaced by the other diagonal of their quadrilateral."
-                   : "two tetrahedra that share a triangle are replaced by three around an edge, or the reverse.") +
-            " Kept in place: a vertex that had to be checked, and around which no cell changed. Flipped: one around "
-            "which flips were made.";
-    if (!in_box(run)) text += " Reinserted: one that was removed and inserted again.";
-    text += " Rebuilt: one of a triangulation that was made anew.";
-    out += "<h2>Terms</h2>\n<p>" + escaped(text) + " More in docs/glossary.md and docs/theory.md.</p>\n";
+    Terms terms{{"Mean spacing", "The unit of lengths: " + mean_spacing_of(run) + "."}};
+    if (!run.tolerance.empty())
+        append_tolerances(
+            terms, plane,
+            report.comparison && !report.comparison->runs.empty() ? report.comparison->runs : std::vector{run});
+    terms.push_back(
+        {"Flip", plane ? "The edge that two triangles share is replaced by the other diagonal of their quadrilateral."
+                       : "Two tetrahedra that share a triangle are replaced by three around an edge, or the reverse."});
+    terms.push_back({"Kept in place", "A vertex that had to be checked, and around which no cell changed."});
+    terms.push_back({"Flipped", "A vertex around which flips were made."});
+    if (!in_box(run)) terms.push_back({"Reinserted", "A vertex that was removed and inserted again."});
+    terms.push_back({"Rebuilt", "A vertex of a triangulation that was built again from all points."});
+    append_terms(out, terms);
 }
 
 }  // namespace annulus::inline v1

@@ -16,7 +16,7 @@ namespace annulus::inline v1 {
 /// Which vertices are inner ones, and which triangles are measured: sentences, below the picture of Voronoi cells.
 [[nodiscard]] std::string cells_caption(const Run_record& run);
 
-/// A heading and a paragraph, HTML, for the end of the page.
+/// A heading and a list, HTML, for the end of the page.
 void append_run_terms(std::string& out, const Report& report);
 
 }  // namespace annulus::inline v1
