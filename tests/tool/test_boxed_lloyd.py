@@ -160,8 +160,8 @@ class BoxedLloyd(frames.FrameTest):
 
     def test_what_there_is_with_open_boundaries_only_is_refused(self):
         box = ["lloyd", "--points", 20, "--box", "1,1"]
-        for words, what in ((["--strategy", "tolerances"], "in a periodic box there are no tolerances: --strategy"),
-                            (["--strategy", "paper", "--tolerance", "paper"], "there are no tolerances"),
+        for words, what in ((["--strategy", "tolerances"], "the tool keeps no tolerances: --strategy"),
+                            (["--strategy", "paper", "--tolerance", "paper"], "the tool keeps no tolerances"),
                             (["--density", "x2"], "in a periodic box the density is one"),
                             (["--density", "picture.png"], "in a periodic box the density is one"),
                             (["--dots", "cells"], "in a periodic box the density is one"),

@@ -61,7 +61,7 @@ class Taken(boxed.BoxedTest):
                             (["--box", "1,x"], "'x' is not a number"),
                             (["--box", "1,0"], "--box: the vectors of the box"),
                             (["--box", "1,1", "--open"], "--open and --box exclude each other"),
-                            (["--box", "1,1", "--strategy", "paper"], "in a periodic box there are no tolerances")):
+                            (["--box", "1,1", "--strategy", "paper"], "a periodic box the tool keeps no tolerances")):
             self.assertIn(what, self.refuse(2, "replay", "a.csv", *words))
         # In place of the box of a file, whatever that is.
         self.write("b.xyz", '2\nLattice="9 0 0 0 9 0" pbc="T F F" Properties=pos:R:2\n0 0\n0.25 0.5\n')

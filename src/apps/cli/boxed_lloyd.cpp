@@ -166,7 +166,7 @@ void require_open_options_absent(const Boxed_lloyd_call& a) {
     const auto refuse = [](const char* what) { throw Error(Error_code::usage, what); };
     if (a.lloyd.open) refuse("--open and --box exclude each other");
     if ((a.tracking.strategy != "auto" && a.tracking.strategy != "rebuild") || a.tracking.tolerance != "certified")
-        refuse("in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified");
+        refuse("in a periodic box the tool keeps no tolerances: --strategy auto or rebuild, --tolerance certified");
     if (!a.lloyd.domain.empty() || a.lloyd.radius != 0 || !a.lloyd.size.empty())
         refuse("with --box the domain is the periodic box: no --domain, --radius or --size");
     if (a.lloyd.keep_boundary) refuse("--keep-boundary is for polygons: a periodic box has no boundary");

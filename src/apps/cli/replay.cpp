@@ -187,9 +187,10 @@ void require_periodic(const Replay_call& a) {
                     "for open boundaries");
     const Tracking_arguments& tracking = a.tracking;
     if ((tracking.strategy != "auto" && tracking.strategy != "rebuild") || tracking.tolerance != "certified")
-        throw Error(Error_code::usage,
-                    "in a periodic box there are no tolerances: --strategy auto or rebuild, --tolerance certified, or "
-                    "--open for open boundaries");
+        throw Error(
+            Error_code::usage,
+            "in a periodic box the tool keeps no tolerances: --strategy auto or rebuild, --tolerance certified, or "
+            "--open for open boundaries");
 }
 
 int run(const Replay_call& a, const std::string& command) {
