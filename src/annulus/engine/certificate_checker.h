@@ -56,6 +56,8 @@ class Certificate_checker {
     /// decided.
     [[nodiscard]] Stage_counts evaluate() { return evaluate_from(0, 0); }
     [[nodiscard]] Stage_counts evaluate_from(std::size_t facet, std::size_t cell);
+    /// Evaluates every `stride`th of the stale facets, and of the stale cells.
+    [[nodiscard]] Stage_counts evaluate_some(std::size_t stride);
     /// Whether every entry that exists holds. Degenerate spheres are decided by the symbolic perturbation, which
     /// requires positive cells; where a cell is inverted, the answer is false anyway. Precondition: nothing is stale.
     [[nodiscard]] bool all_hold() const;
@@ -69,13 +71,16 @@ class Certificate_checker {
     [[nodiscard]] bool exists(const Pending_facet& s) const { return !changing_ || table_.is_facet(s.id); }
     [[nodiscard]] bool exists(const Pending_cell& s) const { return !changing_ || table_.is_cell(s.id); }
 
+    /// How many entries there are.
+    [[nodiscard]] std::size_t size() const { return facets_.size() + cells_.size(); }
     /// The cost, in cells tested, of evaluating all entries by the first stage; below, the cost of an evaluation.
-    [[nodiscard]] double pending_cost() const {
-        return Cost_model<d>::evaluation * static_cast<double>(facets_.size() + cells_.size());
-    }
+    [[nodiscard]] double pending_cost() const { return Cost_model<d>::evaluation * static_cast<double>(size()); }
     [[nodiscard]] static double cost(const Stage_counts& counts) {
-        return Cost_model<d>::evaluation * static_cast<double>(counts.total()) +
-               interval_evaluation_cost * static_cast<double>(counts.interval) +
+        return Cost_model<d>::evaluation * static_cast<double>(counts.total()) + later_cost(counts);
+    }
+    /// What of it is for the stages after the filter.
+    [[nodiscard]] static double later_cost(const Stage_counts& counts) {
+        return interval_evaluation_cost * static_cast<double>(counts.interval) +
                exact_evaluation_cost * static_cast<double>(counts.exact);
     }
 
@@ -98,7 +103,7 @@ class Certificate_checker {
     void describe(Pending_cell& s, Cell_index c) const;
     void assign_places();
     template <class S>
-    [[nodiscard]] Stage_counts evaluate_run(std::span<S> entries) const;
+    [[nodiscard]] Stage_counts evaluate_run(std::span<S> entries, std::size_t stride = 1) const;
     template <class S>
     [[nodiscard]] Stage_counts evaluate_stale(std::span<S> entries) const;
 

@@ -31,10 +31,10 @@ struct Batch {
 
 }  // namespace
 
-/// Evaluates the filtered predicates of a run of entries, in batches. Reads and writes nothing else.
+/// Evaluates the filtered predicates of every `stride`th entry of a run, in batches. Reads and writes nothing else.
 template <int d>
 template <class S>
-Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
+Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries, std::size_t stride) const {
     constexpr bool of_facets = std::is_same_v<S, Pending_facet>;
     Stage_counts counts;
     const auto evaluate = [&]<class T>(Batch<S, T>& batch) {
@@ -57,7 +57,8 @@ Stage_counts Certificate_checker<d>::evaluate_run(std::span<S> entries) const {
     };
     Batch<S, Tuple<d, d + 1>> orientations;
     Batch<S, Tuple<d, d + 2>> empty_spheres;
-    for (S& s : entries) {
+    for (std::size_t i = 0; i < entries.size(); i += stride) {
+        S& s = entries[i];
         if (!s.stale || !exists(s)) continue;
         if (s.kind == Facet_kind::nothing) {
             s.value = {no_limit, 1, Stage::filter};
@@ -96,6 +97,13 @@ template <int d>
 Stage_counts Certificate_checker<d>::evaluate_from(std::size_t facet, std::size_t cell) {
     Stage_counts counts = evaluate_stale(std::span(facets_).subspan(facet));
     counts += evaluate_stale(std::span(cells_).subspan(cell));
+    return counts;
+}
+
+template <int d>
+Stage_counts Certificate_checker<d>::evaluate_some(std::size_t stride) {
+    Stage_counts counts = evaluate_run(std::span(facets_), stride);
+    counts += evaluate_run(std::span(cells_), stride);
     return counts;
 }
 

@@ -3,6 +3,7 @@
 #include <annulus/engine/periodic_tolerances.h>
 
 #include <annulus/engine/displacement.h>
+#include <annulus/engine/tolerance_policy.h>
 #include <annulus/internal/grow.h>
 
 #include <algorithm>
@@ -136,6 +137,7 @@ double Periodic_tolerances<d>::expected_share(const Periodic_view<d>& view, Peri
     const Stage_counts counts = evaluate_periodic<d>(view, ids, 1, sample);
     statistics.evaluated += counts.total();
     statistics.arithmetic += counts;
+    if (Tolerance_policy<d>::are_too_expensive(counts)) return 1;
     double sum = 0;
     for (const Evaluated& e : sample) {
         double fastest = 0;

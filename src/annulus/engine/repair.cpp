@@ -62,6 +62,17 @@ bool Repair<d>::evaluate(Step<d>& step) {
     return checker_.all_hold() && border_holds(step, step.mover == none, false);
 }
 
+/// A part of them, taken from all over the mesh, tells what the stages after the filter are going to cost.
+template <int d>
+bool Repair<d>::can_evaluate(Step<d>& step, double most) {
+    if (step.budget.spent + checker_.pending_cost() > most) return false;
+    const std::size_t stride = std::max<std::size_t>(1, checker_.size() / 16);
+    const Stage_counts some = checker_.evaluate_some(stride);
+    count(step, some);
+    const double later = Certificate_checker<d>::later_cost(some);
+    return later == 0.0 || step.budget.spent + checker_.pending_cost() + static_cast<double>(stride) * later <= most;
+}
+
 template <int d>
 bool Repair<d>::border_holds(Step<d>& step, bool many, bool by_signs) {
     const auto is_ridge = [](const auto& s) { return s.kind == Facet_kind::ridge; };

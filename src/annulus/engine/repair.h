@@ -46,8 +46,11 @@ class Repair {
     /// moved and a cell or ridge had to be evaluated, or when cells with infinity changed. In 3D only an evaluated
     /// ridge counts, not a cell, and after flips only if these changed the border.
     [[nodiscard]] bool evaluate(Step<d>& step);
-    /// The same for every certificate of the mesh, without naming any, by signs alone: the checker stays empty. Gives
-    /// up, with false, when the cost exceeds the budget or repair clearly would; then it refuses to repair.
+    /// Whether the step has cost no more than `most` after that, judging by how many there are and, once a few of them
+    /// have been evaluated, by what the stages after the filter cost.
+    [[nodiscard]] bool can_evaluate(Step<d>& step, double most);
+    /// The same as evaluate() for all certificates of the mesh, by signs alone: the checker stays empty. Gives up, with
+    /// false, when the cost exceeds the budget or repair clearly would; then it refuses to repair.
     [[nodiscard]] bool evaluate_everything(Step<d>& step);
     /// The same for every certificate that contains the mover of the step, regardless of the budget.
     [[nodiscard]] bool evaluate_star(Step<d>& step);

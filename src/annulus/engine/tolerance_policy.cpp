@@ -43,19 +43,35 @@ void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) displacement_[v][k] = to[v][k] - from[v][k];
 }
 
-/// The fraction of the certificates that would expire at a step like this one, by a sample of facets: a certificate
-/// of tolerance s expires after s / max |u| steps.
+/// Evaluates a sample of facets, which the checker has then. False, often after a sixteenth of it, where tolerances are
+/// too expensive: so it costs less than a rebuild even if all are decided exactly.
 template <int d>
-double Tolerance_policy<d>::estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
-                                     std::span<const Coordinates<d>> x, Move_result& report) const {
+bool Tolerance_policy<d>::evaluate_sample(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                          std::span<const Coordinates<d>> x, Move_result& report) {
+    constexpr Index first = 16;
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
     checker.begin(x);
-    for (Index f = 0; f < bound; f += stride)
-        if (table.is_facet(Corner_index(f))) checker.add_new_facet(Corner_index(f));
-    const Stage_counts counts = checker.evaluate();
-    report.statistics.evaluated += counts.total();
-    report.statistics.arithmetic += counts;
+    Stage_counts counts;
+    for (const bool probe : {true, false}) {
+        const std::size_t before = checker.facets().size();
+        for (Index f = 0; f < bound; f += stride)
+            if (((f / stride) % first == 0) == probe && table.is_facet(Corner_index(f)))
+                checker.add_new_facet(Corner_index(f));
+        const Stage_counts here = checker.evaluate_from(before, 0);
+        report.statistics.evaluated += here.total();
+        report.statistics.arithmetic += here;
+        report.statistics.cost += Certificate_checker<d>::later_cost(here);
+        counts += here;
+        if (are_too_expensive(counts)) return false;
+    }
+    return true;
+}
+
+/// The fraction of the certificates that would expire at a step like this one, by the facets of the sample: a
+/// certificate of tolerance s expires after s / max |u| steps.
+template <int d>
+double Tolerance_policy<d>::expired_share(const Certificate_checker<d>& checker) const {
     double sum = 0.0;
     std::size_t sampled = 0;
     for (const auto& s : checker.facets()) {
@@ -78,7 +94,7 @@ void Tolerance_policy<d>::reconsider(const Corner_table<d>& table, Certificate_c
     if (displacement_.empty()) return;
     double share = 0.0;
     try {
-        share = estimate(table, checker, x, report);
+        share = evaluate_sample(table, checker, x, report) ? expired_share(checker) : 1.0;
     } catch (const std::bad_alloc&) {  // the time step has been made; correctness does not depend on this
         release(displacement_);
         return;
@@ -109,9 +125,14 @@ bool Tolerance_policy<d>::renews(std::size_t vertices) {
 /// The signs around one vertex cost a thousandth of a recomputation of tolerances, which then pays for the moves to
 /// come (the ski-rental rule). Moves that needed flips, or more, do not count: no tolerance lets them pass.
 template <int d>
-bool Tolerance_policy<d>::recomputes_for_single_move(std::size_t vertices) const {
+bool Tolerance_policy<d>::recomputes_for_single_move(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                                     std::span<const Coordinates<d>> x, std::size_t vertices,
+                                                     Move_result& report) {
     constexpr std::uint64_t share = 64;
-    return share * (calm_moves_ + 1) > vertices;
+    if (share * (calm_moves_ + 1) <= vertices) return false;
+    if (evaluate_sample(table, checker, x, report)) return true;
+    calm_moves_ = 0;  // asked again after as many
+    return false;
 }
 
 /// Adds up what tolerances cost in excess of signs, as for time steps.

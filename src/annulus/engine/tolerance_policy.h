@@ -53,8 +53,11 @@ class Tolerance_policy {
     /// Whether tolerances would last, judging by the last time step; true once.
     [[nodiscard]] bool take_recomputation() { return std::exchange(recomputes_next_, false); }
 
-    /// A vertex moves alone without tolerances: whether to recompute tolerances for it and for those to come.
-    [[nodiscard]] bool recomputes_for_single_move(std::size_t vertices) const;
+    /// A vertex moves alone without tolerances: whether to recompute tolerances for it and for those to come, by a
+    /// sample as in reconsider().
+    [[nodiscard]] bool recomputes_for_single_move(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                                  std::span<const Coordinates<d>> x, std::size_t vertices,
+                                                  Move_result& report);
     /// After that: `calm` when everything held at its target, as it must within a tolerance.
     void note_single_move(bool calm) { calm_moves_ += calm ? 1 : 0; }
     /// A vertex moved alone, with tolerances: whether they have to be given up.
@@ -63,9 +66,18 @@ class Tolerance_policy {
     void note_recomputed();
     void note_dropped();
 
+    /// Whether the stages after the filter make tolerances much more expensive than Cost_model says, where so many of
+    /// a sample needed them: up to fifty times. There they are next to nothing, since the points are degenerate or
+    /// nearly so.
+    [[nodiscard]] static bool are_too_expensive(const Stage_counts& sample) {
+        return Certificate_checker<d>::later_cost(sample) * Cost_model<d>::certificates >
+               2.0 * Cost_model<d>::recomputation * static_cast<double>(sample.total());
+    }
+
   private:
-    [[nodiscard]] double estimate(const Corner_table<d>& table, Certificate_checker<d>& checker,
-                                  std::span<const Coordinates<d>> x, Move_result& report) const;
+    [[nodiscard]] static bool evaluate_sample(const Corner_table<d>& table, Certificate_checker<d>& checker,
+                                              std::span<const Coordinates<d>> x, Move_result& report);
+    [[nodiscard]] double expired_share(const Certificate_checker<d>& checker) const;
 
     std::vector<Coordinates<d>> displacement_;  // recorded to check whether tolerances would last
     std::uint64_t failures_ = 0;                // with tolerances, in this time step

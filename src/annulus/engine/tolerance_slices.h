@@ -48,10 +48,9 @@ class Tolerance_slices {
     [[nodiscard]] std::span<const Coordinates<d>> positions() const { return position_; }
     /// Whether every certificate has been in a slice.
     [[nodiscard]] bool complete() const { return next_ == all_; }
-    /// The next slice: places in the order of certificates, from the first of the two to before the second. It is this
-    /// share of all, or what is left.
-    [[nodiscard]] std::pair<std::size_t, std::size_t> take(double share) {
-        const double many = std::clamp(share, 0.0, 1.0) * static_cast<double>(all_);
+    /// The next slice: places in the order of certificates, from the first of the two to before the second. It has so
+    /// many, rounded down, or what is left.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> take(double many) {
         const std::size_t first = std::exchange(next_, std::min(all_, next_ + static_cast<std::size_t>(many)));
         return {first, next_};
     }

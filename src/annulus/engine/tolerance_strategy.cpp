@@ -59,7 +59,8 @@ bool Tolerance_strategy<d>::too_many_failed(const Step<d>& step) const {
 template <int d>
 void Tolerance_strategy<d>::move(Index v, const Coordinates<d>& p, Move_result& report) {
     if (displacement_budget_.kept() || means_ == Means::signs ||
-        (!slices_.begun() && !tolerance_policy_.recomputes_for_single_move(mesh_.vertices()))) {
+        (!slices_.begun() && !tolerance_policy_.recomputes_for_single_move(table_, repair_.checker(), position_,
+                                                                           mesh_.vertices(), report))) {
         stop_rebuilding();
         const std::uint64_t calm = report.moves.kept_in_place + report.moves.within_tolerance;
         move_one(v, p, report);
@@ -149,10 +150,10 @@ bool Tolerance_strategy<d>::examine(Step<d>& step) {
     if (step.scope == Scope::expired) {
         displacement_budget_.find_expired(step, repair_.checker());
         step.budget.charge(Cost_model<d>::failure * static_cast<double>(step.failed.size()));
-        const double cost = step.budget.spent + repair_.checker().pending_cost();
-        if (step.mover != none || cost <= 0.5 * step.budget.limit) return repair_.evaluate(step);
+        if (step.mover != none || repair_.can_evaluate(step, 0.5 * step.budget.limit)) return repair_.evaluate(step);
         displacement_budget_.undo(step);
         step.scope = Scope::everything;
+        step.budget.later_stages = 0.0;  // of tolerances
         repair_.begin(step);
     }
     return repair_.evaluate_everything(step);

@@ -146,8 +146,8 @@ class Tolerance_strategy final : public Update_strategy<d> {
     void rebuild_all(std::span<const Coordinates<d>> x, bool last, Move_result& report);
 
     // tolerance_strategy_slices.cpp: all tolerances, at once or in slices.
-    void evaluate_slice(std::span<const Coordinates<d>> x, std::size_t facets,
-                        std::pair<std::size_t, std::size_t> slice, Move_result& report);
+    Stage_counts evaluate_slice(std::span<const Coordinates<d>> x, std::size_t facets,
+                                std::pair<std::size_t, std::size_t> slice, Move_result& report);
     void recompute_slice(Move_result& report);
     [[nodiscard]] bool finish_slices(double room, Move_result& report);
 

@@ -9,9 +9,10 @@ namespace annulus::inline v1 {
 /// In blocks that stay in the cache from evaluation to writing; several threads need larger ones. The order is the
 /// same.
 template <int d>
-void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::size_t facets,
-                                           std::pair<std::size_t, std::size_t> slice, Move_result& report) {
+Stage_counts Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, std::size_t facets,
+                                                   std::pair<std::size_t, std::size_t> slice, Move_result& report) {
     Certificate_checker<d>& checker = repair_.checker();
+    Stage_counts all;
     const bool changes = slices_.has_changes();
     const auto changed = [&](Cell_index c) { return changes && slices_.has_changed(c); };
     const auto in_blocks = [&](std::size_t first, std::size_t last, auto add) {
@@ -22,8 +23,7 @@ void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, st
             for (; first < end; ++first) add(static_cast<Index>(first));
             const Stage_counts counts = checker.evaluate();
             displacement_budget_.commit_fresh(checker);
-            report.statistics.evaluated += counts.total();
-            report.statistics.arithmetic += counts;
+            all += counts;
         }
     };
     in_blocks(std::min(slice.first, facets), std::min(slice.second, facets), [&](Index i) {
@@ -36,6 +36,9 @@ void Tolerance_strategy<d>::evaluate_slice(std::span<const Coordinates<d>> x, st
         const Cell_index c(i);
         if (table_.is_cell(c) && !changed(c)) checker.add_new_cell(c);
     });
+    report.statistics.evaluated += all.total();
+    report.statistics.arithmetic += all;
+    return all;
 }
 
 /// As much of it as this time step may still cost, when tolerances would last or this has begun before. Tolerances are
@@ -51,10 +54,16 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
     }
     const double most = Rebuild_policy<d>::step_limit(mesh_.vertices());
     const bool was_complete = slices_.complete();
-    const auto slice = slices_.take((most - report.statistics.cost) / (Cost_model<d>::recomputation * n));
-    report.statistics.cost += Cost_model<d>::recomputation * n * static_cast<double>(slice.second - slice.first) /
-                              static_cast<double>(slices_.all());
-    evaluate_slice(slices_.positions(), slices_.facets(), slice, report);
+    // Later stages may cost fifty times as much as the filter, which is not known beforehand. So it is made in parts,
+    // each of which costs a quarter of a rebuild even if all of it is decided exactly.
+    const double part = Rebuild_policy<d>::rebuild_cost(mesh_.vertices()) / (4.0 * exact_evaluation_cost);
+    const double place = Cost_model<d>::recomputation * n / static_cast<double>(slices_.all());
+    for (double& cost = report.statistics.cost; !slices_.complete() && cost + place <= most;) {
+        const auto slice = slices_.take(std::clamp((most - cost) / place, 1.0, std::max(part, 64.0)));
+        cost += place * static_cast<double>(slice.second - slice.first);
+        const Stage_counts counts = evaluate_slice(slices_.positions(), slices_.facets(), slice, report);
+        cost += Certificate_checker<d>::later_cost(counts);
+    }
     if (!slices_.complete()) return;
     if (finish_slices(most - report.statistics.cost, report)) slices_.end();
     else if (was_complete) drop_tolerances();
