@@ -11,26 +11,26 @@ namespace annulus::inline v1 {
 namespace {
 
 // Copied from bench/RESULTS.md; tests/tool/test_advise_gain.py compares them.
-constexpr std::array<Walk_ratio, 10> walks_2{{{1e-6, 133.78},
-                                              {1e-5, 109.68},
-                                              {1e-4, 47.05},
-                                              {1e-3, 11.65},
-                                              {3e-3, 10.65},
-                                              {1e-2, 8.62},
-                                              {3e-2, 5.34},
-                                              {0.1, 1.75},
-                                              {0.3, 1.79},
-                                              {1, 1.89}}};
-constexpr std::array<Walk_ratio, 10> walks_3{{{1e-6, 588.95},
-                                              {1e-5, 194.99},
-                                              {1e-4, 38.62},
-                                              {1e-3, 24.09},
-                                              {3e-3, 16.81},
-                                              {1e-2, 11.21},
-                                              {3e-2, 5.20},
-                                              {0.1, 2.78},
-                                              {0.3, 2.64},
-                                              {1, 2.52}}};
+constexpr std::array<Walk_ratio, 10> walks_2{{{1e-6, 97.7},
+                                              {1e-5, 75.5},
+                                              {1e-4, 43.34},
+                                              {1e-3, 10.61},
+                                              {3e-3, 10.28},
+                                              {1e-2, 9.71},
+                                              {3e-2, 6.79},
+                                              {0.1, 1.76},
+                                              {0.3, 2.06},
+                                              {1, 2.19}}};
+constexpr std::array<Walk_ratio, 10> walks_3{{{1e-6, 483.43},
+                                              {1e-5, 175.12},
+                                              {1e-4, 36.3},
+                                              {1e-3, 24.59},
+                                              {3e-3, 18.97},
+                                              {1e-2, 10.04},
+                                              {3e-2, 5.07},
+                                              {0.1, 2.75},
+                                              {0.3, 2.45},
+                                              {1, 2.95}}};
 
 double between(double x, double x0, double x1, double y0, double y1) {
     const double share = (std::log(x) - std::log(x0)) / (std::log(x1) - std::log(x0));
