@@ -34,13 +34,13 @@ if(ANNULUS_BUILD_APPS AND NOT ANNULUS_CORE_ONLY)
     endforeach()
 endif()
 
-# ANNULUS_UNITE_CORE: the modules mesh, kernel and engine in this many pieces, for builds whose speed does not matter.
-# It halves their compile time. Files that instantiate the same class are in different pieces.
+# ANNULUS_UNITE_CORE: these modules in so many pieces, for builds whose speed does not matter. It halves their compile
+# time. Files that instantiate the same class are in different pieces.
 function(annulus_unite_core target)
     if(NOT ANNULUS_UNITE_CORE)
         return()
     endif()
-    foreach(pieces IN ITEMS mesh=1 kernel=2 engine=4)
+    foreach(pieces IN ITEMS space=1 mesh=1 kernel=2 engine=4 published=2 measure=4)
         string(REPLACE "=" ";" pieces "${pieces}")
         list(POP_FRONT pieces module)
         math(EXPR last "${pieces} - 1")
@@ -51,7 +51,8 @@ function(annulus_unite_core target)
         get_target_property(sources ${target} SOURCES)
         list(FILTER sources INCLUDE REGEX "/annulus/${module}/[a-z_0-9]*[.]cpp$")
         # Their names clash with others.
-        list(FILTER sources EXCLUDE REGEX "/(table_measures|repair_duplicates|clear_(periodic_)?cells)[.]cpp$")
+        list(FILTER sources EXCLUDE REGEX "/(table_measures|clear_(periodic_)?cells)[.]cpp$")
+        list(FILTER sources EXCLUDE REGEX "/(reach|voronoi_(kept|facets|neighbour_counts))[.]cpp$")
         foreach(source IN LISTS sources)
             file(STRINGS "${source}" classes REGEX "^template class ")
             set(best "")

@@ -5,6 +5,7 @@
 #include <annulus/engine/rebuild_policy.h>
 #include <annulus/engine/reinsertion_cost.h>
 #include <annulus/error.h>
+#include <annulus/mesh/at.h>
 #include <annulus/mesh/border.h>
 
 #include <algorithm>
@@ -14,8 +15,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <class Points>
 void append_vertices(const Points& points, std::vector<Index>& vertices) {

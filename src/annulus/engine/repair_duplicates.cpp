@@ -2,13 +2,13 @@
 // Whether a vertex would come to the position of another one.
 #include <annulus/engine/repair.h>
 
+#include <annulus/mesh/at.h>
+
 #include <cmath>
 
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // These distances do not underflow.
 double distance(const Coordinates<2>& a, const Coordinates<2>& b) {

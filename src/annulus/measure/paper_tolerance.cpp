@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/paper_tolerance.h>
 
+#include <annulus/mesh/at.h>
 #include <annulus/mesh/certificates.h>
 #include <annulus/mesh/parallel_runs.h>
 
@@ -15,8 +16,6 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The number of facets or cells that one thread processes at a time.
 constexpr std::size_t run_length = 4096;

@@ -4,6 +4,7 @@
 #include <annulus/measure/periodic_facets.h>
 #include <annulus/measure/periodic_rings.h>
 #include <annulus/measure/voronoi_records.h>
+#include <annulus/mesh/at.h>
 
 #include <cmath>
 #include <cstddef>
@@ -16,8 +17,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
 Shift<d> plus(Shift<d> a, const Shift<d>& b, int sign = 1) {

@@ -3,6 +3,7 @@
 #include <annulus/measure/periodic_voronoi.h>
 #include <annulus/measure/voronoi_exact.h>
 #include <annulus/measure/voronoi_terms.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,8 +12,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The cells as Voronoi_terms reads them: beyond a facet there is a cell in the same frame. Images with an offset are
 /// points of their own, and a cell in another frame than its own is one more cell, of which a corner and the

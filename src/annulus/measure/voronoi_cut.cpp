@@ -2,6 +2,7 @@
 #include <annulus/measure/voronoi_cut.h>
 
 #include <annulus/error.h>
+#include <annulus/mesh/at.h>
 #include <annulus/space/dot.h>
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The label of sides in the border of the clip.
 constexpr Index border = -1;

@@ -5,6 +5,7 @@
 #include <annulus/measure/voronoi_facets.h>
 #include <annulus/measure/voronoi_kept_diagram.h>
 #include <annulus/measure/voronoi_records.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,6 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
 class Diagram {

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/exact.h>
 #include <annulus/error.h>
+#include <annulus/mesh/at.h>
 #include <annulus/space/euclidean.h>
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace {
 
 template <int d>
 using Integers = std::array<mpz_class, static_cast<std::size_t>(d)>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 template <int d>
 mpz_class dot(const Integers<d>& a, const Integers<d>& b) {

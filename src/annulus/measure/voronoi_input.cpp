@@ -3,18 +3,13 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/error.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace annulus::inline v1 {
-
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 void require_weights(std::size_t weights, std::size_t points) {
     if (weights != points)

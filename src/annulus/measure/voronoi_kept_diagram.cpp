@@ -3,6 +3,7 @@
 
 #include <annulus/measure/voronoi_facets.h>
 #include <annulus/measure/voronoi_records.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <cstring>
@@ -12,8 +13,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// By number of a finite cell its place in the table, ascending.
 template <int d>

@@ -3,6 +3,7 @@
 
 #include <annulus/measure/voronoi_facet_exact.h>
 #include <annulus/measure/voronoi_input.h>
+#include <annulus/mesh/at.h>
 #include <annulus/mesh/list_cells.h>
 
 #include <cmath>
@@ -11,8 +12,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Adds the terms of Voronoi edges to the gradient, from circumcentres that are there already. The same terms as in
 /// voronoi_gradient.cpp, and the same errors: with D from one circumcentre to the other, off by g, and e from i to j,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/error.h>
+#include <annulus/mesh/at.h>
 #include <annulus/voronoi.h>
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// For points in a plane or on a line, where cells have no neighbours by which to count.
 template <int d>

@@ -3,6 +3,7 @@
 
 #include <annulus/error.h>
 #include <annulus/measure/voronoi_cut.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,6 @@
 namespace annulus::inline v1 {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 std::vector<std::array<Index, 2>> pairs_of(const Vertex_neighbours& neighbours, std::size_t n) {
     std::vector<std::array<Index, 2>> pairs;

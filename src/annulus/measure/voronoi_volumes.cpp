@@ -5,6 +5,7 @@
 #include <annulus/measure/voronoi_exact.h>
 #include <annulus/measure/voronoi_input.h>
 #include <annulus/measure/voronoi_terms.h>
+#include <annulus/mesh/at.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace annulus::inline v1 {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Mesh_cells as Voronoi_terms reads them.
 template <int d>

@@ -3,6 +3,7 @@
 
 // What the audits of both dimensions share: coordinates as integers, and the record of faults.
 #include <annulus/audit.h>
+#include <annulus/mesh/at.h>
 
 #include <gmp.h>
 
@@ -12,8 +13,6 @@
 #include <utility>
 
 namespace annulus::inline v1::auditing {
-
-inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// An integer that frees itself. Temporaries are reused, because allocation would dominate.
 class Integer {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/mesh/table_measures.h>
 
+#include <annulus/mesh/at.h>
 #include <annulus/mesh/evaluate.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace annulus::inline v1 {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 constexpr double right_angle = 1.5707963267948966;
 
 /// The positions of points. Where a point is `none` the value does not matter.
