@@ -245,6 +245,18 @@ TEST_CASE("A replayed motion has frames, and a finish is no iteration", "[report
     CHECK(contains(joined(findings(run)), "In 1 iteration and the finish points moved by"));
     CHECK(contains(joined(findings(run)), "of the moves in the 1 of 2 steps, the finish included, that tested"));
     CHECK(cost_plots(run).back().x.label == "iteration, the last: the finish");
+    CHECK(contains(joined(findings(run)), " mean spacings a step on average, and by"));
+    run.moves = {.asked = 200, .rebuilt = 200};
+    CHECK(contains(joined(findings(run)), "The triangulation was rebuilt in every step."));
+    // Nothing but the finish.
+    run.steps.resize(1);
+    run.iterations = 1;
+    CHECK(contains(joined(findings(run)), "In the finish points moved by "));
+    CHECK(contains(joined(findings(run)), " mean spacings on average, and by"));
+    CHECK(contains(joined(findings(run)), "The triangulation was rebuilt in the finish."));
+    CHECK(contains(plot_html(cost_plots(run).back()), ", the finish: "));
+    run.finished = false;
+    CHECK(contains(joined(findings(run)), "The triangulation was rebuilt in this iteration."));
 }
 
 TEST_CASE("In 3D the volumes of Voronoi cells say how regular points are", "[report]") {

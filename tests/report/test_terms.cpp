@@ -101,7 +101,7 @@ TEST_CASE("Inner vertices and measured triangles are those that the page counts"
     CHECK(contains(cells_caption(run), "each triangle, those along the hull included."));
     CHECK(std::string(white_cells(run)) == "unbounded");
     run.clip = Clip_record{"box", {}};
-    CHECK(contains(cells_caption(run), "bounded and not cut by the clipping region."));
+    CHECK(contains(cells_caption(run), "whose Voronoi cells are wholly in the clipping region."));
     CHECK(contains(cells_caption(run), "is in the clipping region."));
     CHECK(std::string(white_cells(run)) == "cut by the clipping region");
     run.clip.reset();

@@ -67,7 +67,7 @@ Finishing::Finishing(const Nodt_scene& scene, const Moving_mesh_3& optimised, bo
 }
 
 std::string Finishing::note() const {
-    return "The last step is --finish: " + grouped(counts_.kept, "small move") + " of corners of the worst cells, of " +
+    return "The last step is --finish: " + grouped(counts_.kept, "move") + " of corners of the worst cells, of " +
            grouped(counts_.tried, "move") + " tried.";
 }
 

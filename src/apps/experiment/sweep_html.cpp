@@ -72,11 +72,12 @@ std::string finding(const Space& space, const Tally& t) {
     const std::uint64_t zero = count(t, "bicells.zero"), narrow = count(t, "bicells.below.1e-9");
     std::string text = space.words() + " " + none_or(zero) + " of " + grouped(count(t, "bicells.total")) +
                        " bi-cells " + (zero <= 1 ? "is" : "are") + " exactly degenerate, and " + none_or(narrow) +
-                       (narrow <= 1 ? " is" : " are") + " narrower than a billionth of a mean spacing";
+                       (zero > 0 ? ", these included," : "") + (narrow <= 1 ? " is" : " are") +
+                       " narrower than a billionth of a mean spacing";
     if (const auto least = t.least.find("bicells.width"); least != t.least.end())
         text += " (the least width is " + readable(least->second) + ")";
     text[0] = 'I';
-    text += ". Integers had to decide " + none_or(count(t, "bicells.stage.exact")) + " of them.";
+    text += ". Integers had to decide " + none_or(count(t, "bicells.stage.exact")) + " of the bi-cells.";
     if (space.periodic) return text;
     return text + " The paper's tolerance is unsound at " + none_or(count(t, "tolerance.paper_unsound")) + " of " +
            grouped(count(t, "vertices")) + " vertices.";

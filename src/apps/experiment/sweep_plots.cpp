@@ -113,21 +113,21 @@ std::string joined(std::span<const std::string> parts) {
     return text;
 }
 
-/// Names of curves: what a row's label has and not all others have. Where that is too long the first parts are left
-/// out, if no other row has all that remain. A row's number, where there is no such name.
-std::vector<std::string> curve_names(const std::vector<Sweep_row>& rows) {
+/// Names of curves of some rows: what a row's label has and not those of all rows have. Where that is too long the
+/// first parts are left out, if no other row has all that remain. A row's number, where there is no such name.
+std::vector<std::string> curve_names(const std::vector<Sweep_row>& rows, const std::vector<Sweep_row>& all) {
     constexpr std::size_t most = 24;
     std::vector<std::string> found;
-    if (rows.size() == 1) return {""};
+    if (all.size() == 1) return {""};
     for (const Sweep_row& row : rows) {
         std::vector<std::string> parts = parts_of(*row.point);
         std::erase_if(parts, [&](const std::string& part) {
-            return std::all_of(rows.begin(), rows.end(), [&](const Sweep_row& any) { return has(any, part); });
+            return std::all_of(all.begin(), all.end(), [&](const Sweep_row& any) { return has(any, part); });
         });
         std::span<const std::string> name = parts;
         while (!name.empty() && joined(name).size() > most) name = name.subspan(1);
         const bool whole = name.size() == parts.size();
-        const bool says = !name.empty() && (whole || is_name_of(row, rows, name));
+        const bool says = !name.empty() && (whole || is_name_of(row, all, name));
         found.push_back(says ? joined(name) : "row " + std::to_string(row.number));
     }
     return found;
@@ -179,7 +179,7 @@ std::string label_of(const nlohmann::ordered_json& w) {
 
 void append_distributions(std::string& out, const std::vector<Sweep_row>& all, const std::string& heading) {
     const std::vector<Sweep_row> rows = some_of(all);
-    const std::vector<std::string> curves = curve_names(rows);
+    const std::vector<std::string> curves = curve_names(rows, all);
     std::vector<Plot> plots;
     std::string caption =
         "A curve begins where the samples on its scale begin, at the share of what is narrower or exactly 0; there is "
@@ -210,7 +210,9 @@ void append_distributions(std::string& out, const std::vector<Sweep_row>& all, c
         caption += " There is room for " + grouped(rows.size()) + " of " + grouped(all.size()) +
                    " rows of the table; spread evenly over it, these are shown:";
         for (const Sweep_row& row : rows) caption += " " + std::to_string(row.number);
-        caption += "; sums.json has all. A curve is named by what its row has and not all of these have.";
+        caption +=
+            "; sums.json has all. A curve is named by what its row has and not all rows have, without the first of it "
+            "where no other row has the rest, or by its number.";
     }
     append_plots(out, heading, plots, caption);
 }

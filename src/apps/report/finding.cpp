@@ -115,8 +115,10 @@ std::string on_steps(const Run_record& run) {
         built += step.moves.rebuilt > 0 ? 1 : 0;
     }
     const auto steps = static_cast<double>(run.steps.size());
-    const std::string word = step_word(run), article = word == "iteration" ? "an " : "a ";
+    const std::string word = step_word(run);
     // Of nodt --finish the last step is no iteration.
+    const std::string one = run.finished ? "step" : word;
+    const std::string each = run.steps.size() == 1 ? "" : (one == "iteration" ? " an " : " a ") + one;
     const auto counted_steps = [&](std::uint64_t n, bool with_last) {
         if (!run.finished || !with_last) return count_of(n, word.c_str(), (word + "s").c_str());
         return n == 1 ? "the finish" : count_of(n - 1, word.c_str(), (word + "s").c_str()) + " and the finish";
@@ -127,12 +129,17 @@ std::string on_steps(const Run_record& run) {
                                  : "In " + counted_steps(run.steps.size(), true) + " points ";
     const std::string relative = box_changes(run) ? " relative to the box" : "";
     std::string text =
-        when + (only_box_moves(run) ? "did not move" + relative + (most > 0 ? ", but for rounding." : ".")
-                                    : "moved by " + readable(sum / steps) + " mean spacings " + article + word +
-                                          " on average, and by " + readable(most) + " at most" +
-                                          (relative.empty() ? "" : "," + relative) + ".");
+        when + (only_box_moves(run)
+                    ? "did not move" + relative + (most > 0 ? ", but for rounding." : ".")
+                    : "moved by " + readable(sum / steps) + " mean spacings" + each + " on average, and by " +
+                          readable(most) + " at most" + (relative.empty() ? "" : "," + relative) + ".");
     if (run.moves.asked == 0) return text;
-    if (run.moves.rebuilt == run.moves.asked) return text + " The triangulation was rebuilt in every " + word + ".";
+    if (run.moves.rebuilt == run.moves.asked)
+        return text + " The triangulation was rebuilt in " +
+               (run.steps.size() > 1 ? "every " + one
+                : run.finished       ? "the finish"
+                                     : "this " + word) +
+               ".";
     const Tested_moves tested = tested_moves(run);
     // What holds for less than half of the steps does not stand for the run.
     if (2 * tested.steps >= run.steps.size() && 10 * tested.within_tolerance >= tested.asked)

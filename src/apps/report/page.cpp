@@ -15,6 +15,7 @@ namespace {
 
 /// "iteration 3", or of an axis that counts "frames after the first" "3 frames after the first".
 std::string at_place(const std::string& axis, double place) {
+    if (axis == "finish") return "the finish";  // of nodt, without iterations
     const std::string number = readable(place);
     if (!axis.starts_with("frames ")) return axis.substr(0, axis.find(',')) + " " + number;
     return number + (place == 1 ? " frame " : " frames ") + axis.substr(axis.find(' ') + 1);

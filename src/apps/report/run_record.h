@@ -148,7 +148,10 @@ struct Run_record {
 
 /// What pages write at an axis of steps: frames of a file have numbers of their own.
 [[nodiscard]] inline const char* step_axis_label(const Run_record& run) {
-    return run.replayed ? "frames after the first" : run.finished ? "iteration, the last: the finish" : "iteration";
+    return run.replayed          ? "frames after the first"
+           : !run.finished       ? "iteration"
+           : run.iterations == 1 ? "finish"
+                                 : "iteration, the last: the finish";
 }
 
 /// Whether the strategy of a run tests tolerances: not where it rebuilds, relocates or evaluates all signs, nor in a

@@ -71,8 +71,9 @@ std::string cells_caption(const Run_record& run) {
                "neighbours are counted. " +
                angle + "each triangle, those along the hull included.";
     const std::string what = run.clip ? "clipping region" : "domain";
-    return "Inner vertices are those whose Voronoi cells are bounded and not cut by the " +
-           (run.clip ? what : "border of the " + what) + ". Only their neighbours are counted. " + angle +
+    return std::string("Inner vertices are those whose Voronoi cells ") +
+           (run.clip ? "are wholly in the " + what : "are bounded and not cut by the border of the " + what) +
+           ". Only their neighbours are counted. " + angle +
            "each triangle whose circumcentre, where three cells meet, is in the " + what + ".";
 }
 
@@ -85,8 +86,10 @@ void append_run_terms(std::string& out, const Report& report) {
             terms, plane,
             report.comparison && !report.comparison->runs.empty() ? report.comparison->runs : std::vector{run});
     terms.push_back(
-        {"Flip", plane ? "The edge that two triangles share is replaced by the other diagonal of their quadrilateral."
-                       : "Two tetrahedra that share a triangle are replaced by three around an edge, or the reverse."});
+        {"Flip",
+         plane ? "The edge that two triangles share is replaced by the other diagonal of their quadrilateral."
+               : "Two tetrahedra that share a triangle are replaced by three around an edge, or the reverse, or four "
+                 "around an edge by four around another."});
     terms.push_back({"Kept in place", "A vertex that had to be checked, and around which no cell changed."});
     terms.push_back({"Flipped", "A vertex around which flips were made."});
     if (!in_box(run)) terms.push_back({"Reinserted", "A vertex that was removed and inserted again."});
