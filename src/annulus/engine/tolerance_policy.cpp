@@ -43,22 +43,26 @@ void Tolerance_policy<d>::note_displacements(const Corner_table<d>& table, std::
             for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) displacement_[v][k] = to[v][k] - from[v][k];
 }
 
-/// Evaluates a sample of facets, which the checker has then. False, often after a sixteenth of it, where tolerances are
-/// too expensive: so it costs less than a rebuild even if all are decided exactly.
+/// Evaluates a sample of facets between two cells, which the checker has then. False where tolerances are expensive,
+/// mostly after a few of them: these cost a quarter of a rebuild, or one exact evaluation, if all are decided exactly.
 template <int d>
 bool Tolerance_policy<d>::evaluate_sample(const Corner_table<d>& table, Certificate_checker<d>& checker,
                                           std::span<const Coordinates<d>> x, Move_result& report) {
-    constexpr Index first = 16;
+    constexpr std::size_t prime = 7919;  // more than the sample has, so that multiples of it visit all of it
     const Index bound = table.facet_bound().value();
     const Index stride = 1 + bound / 1024;
+    std::vector<Corner_index> sample;
+    for (Index f = 0; f < bound; f += stride)
+        if (table.is_facet(Corner_index(f)) && facet_kind(table, Corner_index(f)) == Facet_kind::empty_sphere)
+            sample.emplace_back(f);
+    const double rebuild = Cost_model<d>::rebuild * static_cast<double>(table.vertex_bound());
+    auto end = static_cast<std::size_t>(std::clamp(rebuild / (4.0 * exact_evaluation_cost), 1.0, 32.0));
     checker.begin(x);
     Stage_counts counts;
-    for (const bool probe : {true, false}) {
-        const std::size_t before = checker.facets().size();
-        for (Index f = 0; f < bound; f += stride)
-            if (((f / stride) % first == 0) == probe && table.is_facet(Corner_index(f)))
-                checker.add_new_facet(Corner_index(f));
-        const Stage_counts here = checker.evaluate_from(before, 0);
+    for (std::size_t begin = 0; begin < sample.size(); begin = std::exchange(end, 2 * end)) {
+        for (std::size_t i = begin; i < std::min(end, sample.size()); ++i)
+            checker.add_new_facet(sample[prime * i % sample.size()]);
+        const Stage_counts here = checker.evaluate_from(begin, 0);
         report.statistics.evaluated += here.total();
         report.statistics.arithmetic += here;
         report.statistics.cost += Certificate_checker<d>::later_cost(here);

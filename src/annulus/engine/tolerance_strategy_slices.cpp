@@ -59,7 +59,7 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
     const double part = Rebuild_policy<d>::rebuild_cost(mesh_.vertices()) / (4.0 * exact_evaluation_cost);
     const double place = Cost_model<d>::recomputation * n / static_cast<double>(slices_.all());
     for (double& cost = report.statistics.cost; !slices_.complete() && cost + place <= most;) {
-        const auto slice = slices_.take(std::clamp((most - cost) / place, 1.0, std::max(part, 64.0)));
+        const auto slice = slices_.take(std::clamp((most - cost) / place, 1.0, std::max(part, 1.0)));
         cost += place * static_cast<double>(slice.second - slice.first);
         const Stage_counts counts = evaluate_slice(slices_.positions(), slices_.facets(), slice, report);
         cost += Certificate_checker<d>::later_cost(counts);
