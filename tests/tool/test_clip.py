@@ -142,7 +142,7 @@ class Clip(FrameTest):
                         six += row["neighbours"] == "6"
                 self.assertGreater(whole, 5)
                 self.assertIn(f"{six} of the {whole} inner", page)
-                self.assertIn("share of the cells wholly in the clipping region (%)", page)
+                self.assertIn("share of the cells wholly inside (%)", page)
                 self.assertIn("</svg>cut by the clipping region</span>", page)
                 self.assertNotIn("at the border", page)
                 last = page.split('aria-label="Clipped Voronoi cells, frame 2"')[1].split("</svg>")[0]

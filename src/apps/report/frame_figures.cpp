@@ -120,7 +120,7 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
                                  std::move(changes)));
     const char* const volume = run.dimension == 2 ? "area" : "volume";
     const std::string bounded = run.input.box.empty() ? "bounded cells" : "cells";  // in a periodic box all are
-    const std::string counted = run.clip ? "cells wholly in the clipping region" : bounded;
+    const std::string counted = run.clip ? "cells wholly inside" : bounded;
     cells.panels.push_back(plot(
         std::string("The ") + volume + " of " + (run.clip ? "cells in the clipping region" : bounded), word, volume,
         {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
