@@ -69,6 +69,7 @@ void check(Corners<d> x, Seen& seen) {
     }
     CAPTURE(c.error, length, off.get_d());
     REQUIRE(off <= mpq_class(c.error));
+    REQUIRE(0x1p-52 * length <= c.error);
     ++(c.error == 0x1p-51 * length + 0x1p-1000 ? seen.exact : seen.computed);
 }
 

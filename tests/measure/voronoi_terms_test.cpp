@@ -9,6 +9,7 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace annulus;
@@ -30,8 +31,8 @@ mpq_class determinant(const Exact<3>& a, const Exact<3>& b, const Exact<3>& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Two cells with a common facet, as Voronoi_terms reads them: the first has the vertices 0 to d, the other one is
-/// beyond the facet opposite to `opposite`, and its first corner is vertex d + 1. Whether they are positive does not
+/// Two cells with a common facet, as for_each_inner_facet reads them: the first has the vertices 0 to d, the other one
+/// is beyond the facet opposite to `opposite`, and its first corner is vertex d + 1. Whether they are positive does not
 /// matter to their terms.
 template <int d>
 struct Two_cells {
@@ -40,6 +41,7 @@ struct Two_cells {
     static Index corner(Index c, std::size_t i) { return c == 0 ? static_cast<Index>(i) : i == 0 ? d + 1 : 0; }
     [[nodiscard]] Index beyond(Index c, std::size_t i) const { return c == 0 && i == opposite ? 1 : -1; }
     static bool is_finite(Index) { return true; }
+    static bool owns(Index c, Index n) { return n > c; }
 };
 
 template <int d>
@@ -122,7 +124,7 @@ Scene<d> scene(Random& random, std::size_t opposite, double reach, double off, d
 template <int d>
 double check(const Scene<d>& s) {
     std::vector<Voronoi_sum> sum(s.x.size());
-    Voronoi_terms<d>(s.x, s.centre, s.scale, sum).add_facets(s.cells, 0);
+    Voronoi_terms<d>(s.x, s.centre, s.scale, sum).add_facets(s.cells, std::array{Index{0}});
     const std::vector<mpq_class> truth = s.terms();
     double most = 0;
     for (std::size_t v = 0; v < s.x.size(); ++v) {

@@ -17,7 +17,8 @@ namespace annulus::inline v1 {
 template <int d>
 struct Circumcentre {
     Coordinates<d> offset{};
-    double error = 0;  ///< an upper bound of the sum of |offset - truth| over the coordinates
+    /// An upper bound of the sum of |offset - truth| over the coordinates; at least 2^-52 times the sum of |offset|.
+    double error = 0;
 };
 
 /// Corners of a cell, positively oriented.

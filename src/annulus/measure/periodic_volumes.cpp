@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <ranges>
 
 namespace annulus::inline v1 {
 
 namespace {
 
-/// The cells as Voronoi_terms reads them: beyond a facet there is a cell in the same frame. Images with an offset are
+/// The cells as for_each_inner_facet reads them: beyond a facet there is a cell in the same frame. Images with an offset are
 /// points of their own, and a cell in another frame than its own is one more cell, of which a corner and the
 /// circumcentre are read.
 template <int d>
@@ -38,11 +39,14 @@ class Unfolded {
     [[nodiscard]] Index corner(Index c, std::size_t i) const { return corner_[at(c)][i]; }
     [[nodiscard]] Index beyond(Index c, std::size_t i) const { return beyond_[at(c)][i]; }
     [[nodiscard]] static bool is_finite(Index) { return true; }
+    [[nodiscard]] static bool owns(Index, Index n) { return n != not_owned; }
     [[nodiscard]] std::span<const Coordinates<d>> points() const { return point_; }
     [[nodiscard]] std::span<const Circumcentre<d>> centres() const { return centre_; }
     [[nodiscard]] Index vertex_of(std::size_t point) const { return vertex_[point]; }
 
   private:
+    static constexpr Index not_owned = -1;
+
     Index new_point(Image<d> s) {
         point_.push_back(places_.at(s));
         vertex_.push_back(s.vertex);
@@ -52,7 +56,7 @@ class Unfolded {
         const std::size_t m = table_.cell_of(table_.twin[c][i]);
         const Offset<d> t = table_.translation(c, i);
         if (m < c || t.is_zero()) {
-            beyond_[c][i] = m < c ? -1 : static_cast<Index>(m);
+            beyond_[c][i] = m < c ? not_owned : static_cast<Index>(m);
             return;
         }
         beyond_[c][i] = static_cast<Index>(corner_.size());
@@ -110,14 +114,15 @@ std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, con
     const Unfolded<d> cells(table, places, place);
     std::vector<Voronoi_sum> sum(cells.points().size());
     const Voronoi_terms<d> terms(cells.points(), cells.centres(), places.scale(), sum);
-    for (std::size_t c = 0; c < table.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
+    terms.add_facets(cells, std::views::iota(Index{0}, static_cast<Index>(table.size())));
     for (std::size_t k = place.size(); k < sum.size(); ++k)
         sum[at(cells.vertex_of(k))].add(sum[k].volume, sum[k].error);
+    const Volume_unit<d> unit(places.exponent());
     std::vector<double> volume(place.size());
     std::vector<char> poor(place.size(), 0);
     for (std::size_t v = 0; v < volume.size(); ++v) {
         if (!is_place<d>(place[v])) volume[v] = std::numeric_limits<double>::quiet_NaN();
-        else if (sum[v].is_good()) volume[v] = voronoi_volume<d>(sum[v], places.exponent());
+        else if (sum[v].is_good()) volume[v] = unit.volume(sum[v]);
         else poor[v] = 1;
     }
     if (std::find(poor.begin(), poor.end(), 1) == poor.end()) return volume;

@@ -2,6 +2,7 @@
 #include <annulus/measure/voronoi_kept.h>
 
 #include <annulus/arithmetic/environment.h>
+#include <annulus/measure/cells_of_table.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +16,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-
-/// Adapts a table for Voronoi_terms: its finite cells in its order are those of mesh_cells().
-template <int d>
-struct Cells_of_table {
-    const Corner_table<d>& table;
-
-    [[nodiscard]] Index corner(Index c, std::size_t i) const {
-        return table.vertex(table.corner(Cell_index(c), static_cast<int>(i)));
-    }
-    [[nodiscard]] Index beyond(Index c, std::size_t i) const {
-        return table.cell_of(table.twin(table.corner(Cell_index(c), static_cast<int>(i)))).value();
-    }
-    [[nodiscard]] bool is_finite(Index c) const { return !table.is_infinite(Cell_index(c)); }
-};
 
 }  // namespace
 
@@ -60,35 +47,54 @@ std::span<const double> Kept_voronoi_volumes<d>::update(std::span<const Coordina
     try {
         if (!afresh) {
             moved = note_moves(x);
-            afresh = moved.size() > x.size() / 8;  // nearly all are affected
+            afresh = is_most(moved.size());
         }
         if (afresh) {
             x_.assign(x.begin(), x.end());
-            const std::vector<Cell_index> cells = all_cells();
-            volume_.assign(x.size(), nowhere);
-            sum_.resize(x.size());
-            centre_.resize(table().cell_bound().offset());
-            find_circumcentres(cells);
-            add_up(all_vertices(), cells);
-        } else {
-            std::vector<Cell_index> changed = cells_around(moved);
-            const auto around_moved = static_cast<std::ptrdiff_t>(changed.size());
-            for (const Cell_index c : dirty_cells_.cells())
-                if (table().is_cell(c)) changed.push_back(c);
-            std::sort(changed.begin() + around_moved, changed.end());
-            std::inplace_merge(changed.begin(), changed.begin() + around_moved, changed.end());
-            changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-            centre_.resize(table().cell_bound().offset());
-            find_circumcentres(changed);
-            const std::vector<Index> concerned = corners_of(changed);
-            add_up(concerned, cells_around(concerned));
-        }
+            compute_all();
+        } else compute_around(moved);
     } catch (...) {
         x_.clear();
         throw;
     }
     dirty_cells_.clear();
     return volume_;
+}
+
+template <int d>
+void Kept_voronoi_volumes<d>::compute_all() {
+    constexpr std::size_t batch = 128;  // of cells, so that what both loops read stays in the cache
+    const std::vector<Cell_index> cells = all_cells();
+    const std::vector<Index> vertices = all_vertices();
+    volume_.assign(x_.size(), nowhere);
+    sum_.resize(x_.size());
+    centre_.resize(table().cell_bound().offset());
+    clear_sums(vertices);
+    for (std::size_t k = 0; k < cells.size(); k += batch) {
+        const auto next = std::span(cells).subspan(k, std::min(batch, cells.size() - k));
+        find_circumcentres(next);
+        add_terms(next);
+    }
+    find_volumes(vertices, cells);
+}
+
+/// Volumes that these vertices and the dirty cells affect.
+template <int d>
+void Kept_voronoi_volumes<d>::compute_around(std::span<const Index> moved) {
+    std::vector<Cell_index> changed = cells_around(moved);
+    const auto around_moved = static_cast<std::ptrdiff_t>(changed.size());
+    for (const Cell_index c : dirty_cells_.cells())
+        if (table().is_cell(c)) changed.push_back(c);
+    std::sort(changed.begin() + around_moved, changed.end());
+    std::inplace_merge(changed.begin(), changed.begin() + around_moved, changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    centre_.resize(table().cell_bound().offset());
+    find_circumcentres(changed);
+    const std::vector<Index> concerned = corners_of(changed);
+    const std::vector<Cell_index> around = cells_around(concerned);
+    clear_sums(concerned);
+    add_terms(around);
+    find_volumes(concerned, around);
 }
 
 template <int d>
@@ -105,7 +111,8 @@ void Kept_voronoi_volumes<d>::note_flat(std::size_t bound) {
     for (std::size_t v = 0; v < bound; ++v) volume_[v] = is_present(v) ? unbounded : nowhere;
 }
 
-/// Vertices that moved or are new. Compares bits, because -0 and 0 are equal otherwise.
+/// Vertices that moved or are new, until they are so many that nearly all volumes are affected. Compares bits, because
+/// -0 and 0 are equal otherwise.
 template <int d>
 std::vector<Index> Kept_voronoi_volumes<d>::note_moves(std::span<const Coordinates<d>> x) {
     std::vector<Index> moved;
@@ -121,6 +128,7 @@ std::vector<Index> Kept_voronoi_volumes<d>::note_moves(std::span<const Coordinat
         if (v < before && std::memcmp(&x_[v], &x[v], sizeof x[v]) == 0) continue;
         x_[v] = x[v];
         moved.push_back(static_cast<Index>(v));
+        if (is_most(moved.size())) break;
     }
     return moved;
 }
@@ -200,29 +208,34 @@ void Kept_voronoi_volumes<d>::find_circumcentres(std::span<const Cell_index> cel
     }
 }
 
-/// Volumes of these vertices; `cells` are those around them and perhaps others. Terms added to sums of other vertices
-/// on the way are never read.
 template <int d>
-void Kept_voronoi_volumes<d>::add_up(std::span<const Index> vertices, std::span<const Cell_index> around) {
-    const double unit = scale();
-    const bool normal = std::isnormal(unit);
+void Kept_voronoi_volumes<d>::clear_sums(std::span<const Index> vertices) {
+    const Voronoi_sum empty{0, std::isnormal(scale()) ? 0 : unbounded};
     for (const Index v : vertices) {
-        sum_[at(v)] = {0, normal ? 0 : unbounded};
+        sum_[at(v)] = empty;
         volume_[at(v)] = 0;
     }
-    const Cells_of_table<d> cells{table()};
-    const Voronoi_terms<d> terms(x_, centre_, unit, sum_);
-    for (const Cell_index c : around) {
-        if (!table().is_infinite(c)) {
-            if (normal) terms.add_facets(cells, c.value());
-            continue;
-        }
-        for (std::size_t i = 0; i <= d; ++i)
-            if (const Index v = cells.corner(c.value(), i); v != infinite) volume_[at(v)] = unbounded;
-    }
+}
+
+/// Adds the terms of the facets that these cells own.
+template <int d>
+void Kept_voronoi_volumes<d>::add_terms(std::span<const Cell_index> cells) {
+    if (!std::isnormal(scale())) return;
+    Voronoi_terms<d>(x_, centre_, scale(), sum_).add_facets(Cells_of_table<d>{table()}, cells);
+}
+
+/// Volumes of these vertices from their sums; `around` are the cells around them and perhaps others. Sums of other
+/// vertices, to which terms were added on the way, are never read.
+template <int d>
+void Kept_voronoi_volumes<d>::find_volumes(std::span<const Index> vertices, std::span<const Cell_index> around) {
+    for (const Cell_index c : around)
+        if (table().is_infinite(c))
+            for (int i = 0; i <= d; ++i)
+                if (const Index v = table().vertex(table().corner(c, i)); v != infinite) volume_[at(v)] = unbounded;
+    const Volume_unit<d> unit(exponent_);
     for (const Index v : vertices)
         if (volume_[at(v)] != unbounded)
-            volume_[at(v)] = sum_[at(v)].is_good() ? voronoi_volume<d>(sum_[at(v)], exponent_) : exact_volume(v);
+            volume_[at(v)] = sum_[at(v)].is_good() ? unit.volume(sum_[at(v)]) : exact_volume(v);
     computed_ = vertices.size();
 }
 

@@ -49,6 +49,7 @@ class Kept_voronoi_volumes {
         return v < mesh_.vertex_bound() && mesh_.has(static_cast<Index>(v));
     }
     [[nodiscard]] double scale() const;
+    [[nodiscard]] bool is_most(std::size_t moved) const { return moved > x_.size() / 8; }
     [[nodiscard]] std::vector<Index> note_moves(std::span<const Coordinates<d>> x);
     [[nodiscard]] std::vector<Index> all_vertices() const;
     [[nodiscard]] std::vector<Cell_index> all_cells() const;
@@ -56,7 +57,11 @@ class Kept_voronoi_volumes {
     [[nodiscard]] std::vector<Index> corners_of(std::span<const Cell_index> cells) const;
     void note_flat(std::size_t bound);
     void find_circumcentres(std::span<const Cell_index> cells);
-    void add_up(std::span<const Index> vertices, std::span<const Cell_index> around);
+    void compute_all();
+    void compute_around(std::span<const Index> moved);
+    void clear_sums(std::span<const Index> vertices);
+    void add_terms(std::span<const Cell_index> cells);
+    void find_volumes(std::span<const Index> vertices, std::span<const Cell_index> around);
     [[nodiscard]] double exact_volume(Index v) const;
 
     Delaunay_mesh<d>& mesh_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/measure/voronoi_kept_gradient.h>
 
+#include <annulus/measure/cells_of_table.h>
+#include <annulus/measure/inner_facets.h>
 #include <annulus/measure/voronoi_facet_exact.h>
 #include <annulus/measure/voronoi_input.h>
 #include <annulus/mesh/at.h>
@@ -16,6 +18,11 @@ namespace {
 /// Adds the terms of Voronoi edges to the gradient, from circumcentres that are there already. The same terms as in
 /// voronoi_gradient.cpp, and the same errors: with D from one circumcentre to the other, off by g, and e from i to j,
 /// which is perpendicular to D, A / |e| is |D x e| / e^2, off by g |e| / e^2 and some units of u.
+///
+/// D is the difference of O = B + R and L, where L and R are the circumcentres, relative to first corners, and B leads
+/// from the one corner to the other. So g is at most the errors of L and R and u (|B| + |O|), with 16 u |D| for what is
+/// left out, where |O| <= |L| + |D| and |B| <= |O| + |R|. u |L| and u |R| are at most half of the errors of L and R
+/// (circumcentre.h). Hence twice these errors and 20 u |D| are enough.
 class Edge_terms {
   public:
     /// By vertex: positions, and weights, 0 unless the cell is bounded. By cell: circumcentres, in the unit 2^exponent.
@@ -29,36 +36,24 @@ class Edge_terms {
           scale_(std::ldexp(1.0, -exponent)),
           gradient_(x.size()) {}
 
-    /// Of the edges of a finite cell beyond which there is a finite cell with a larger number.
-    void add_cell(Cell_index c) {
-        std::array<Index, 3> v;
-        for (std::size_t i = 0; i < 3; ++i) v[i] = table_.vertex(table_.corner(c, static_cast<int>(i)));
-        const std::array<double, 3> w{weights_[at(v[0])], weights_[at(v[1])], weights_[at(v[2])]};
-        const std::array<Coordinates<2>, 3> corner{{{}, to(v[0], v[1]), to(v[0], v[2])}};
-        const Circumcentre<2>& left = centre_[c.offset()];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t p = (i + 1) % 3;
-            const std::size_t q = (i + 2) % 3;
-            const double difference = w[p] - w[q];
-            if (difference == 0) continue;
-            const Cell_index n = table_.cell_of(table_.twin(table_.corner(c, static_cast<int>(i))));
-            if (n.value() < c.value() || table_.is_infinite(n)) continue;
-            const Circumcentre<2>& right = centre_[n.offset()];
-            const Coordinates<2> base = to(v[0], table_.vertex(table_.corner(n, 0)));
-            const Coordinates<2> other{base[0] + right.offset[0], base[1] + right.offset[1]};
-            const Coordinates<2> dual{other[0] - left.offset[0], other[1] - left.offset[1]};
-            const Coordinates<2> e =
-                i == 0 ? to(v[p], v[q]) : Coordinates<2>{corner[q][0] - corner[p][0], corner[q][1] - corner[p][1]};
-            const double area = std::fabs(dual[0] * e[1] - dual[1] * e[0]);
-            const double square = e[0] * e[0] + e[1] * e[1];
-            const double moved = left.error + right.error + u * (size(base) + size(other) + 16 * size(dual));
-            if (square > 0x1p-800 && size(e) * moved + lost < 0x1p-35 * area)
-                add(v[p], v[q], difference * (area / square),
-                    {0.5 * (left.offset[0] + other[0]) - corner[p][0],
-                     0.5 * (left.offset[1] + other[1]) - corner[p][1]},
-                    e);
-            else add_exactly(c, n, v[p], v[q], difference);
-        }
+    void add(const Inner_facet<2>& f) {
+        const auto [p, q] = f.corners;
+        const double difference = weights_[at(p)] - weights_[at(q)];
+        if (difference == 0) return;
+        const Circumcentre<2>& left = centre_[at(f.cell)];
+        const Circumcentre<2>& right = centre_[at(f.beyond)];
+        const Coordinates<2> base = to(f.first, f.first_beyond);
+        const Coordinates<2> other{base[0] + right.offset[0], base[1] + right.offset[1]};
+        const Coordinates<2> dual{other[0] - left.offset[0], other[1] - left.offset[1]};
+        const Coordinates<2> e = to(p, q);
+        const Coordinates<2> from_p = to(p, f.first);
+        const double area = std::fabs(dual[0] * e[1] - dual[1] * e[0]);
+        const double square = e[0] * e[0] + e[1] * e[1];
+        const double moved = 2 * (left.error + right.error) + 20 * u * size(dual);
+        if (square > 0x1p-800 && size(e) * moved + lost < 0x1p-35 * area)
+            add(p, q, difference * (area / square),
+                {0.5 * (left.offset[0] + other[0]) + from_p[0], 0.5 * (left.offset[1] + other[1]) + from_p[1]}, e);
+        else add_exactly(Cell_index(f.cell), Cell_index(f.beyond), p, q, difference);
     }
     std::vector<Coordinates<2>> take() {
         const double unit = std::ldexp(1.0, exponent_);
@@ -122,8 +117,7 @@ std::vector<Coordinates<2>> edge_gradient(Kept_voronoi_volumes<2>& kept, std::sp
     for (std::size_t v = 0; v < of_bounded.size(); ++v)
         if (!std::isfinite(volume[v])) of_bounded[v] = 0;
     Edge_terms terms(table, x, std::move(of_bounded), kept.centres(), kept.exponent());
-    for (const Cell_index c : table.cells())
-        if (!table.is_infinite(c)) terms.add_cell(c);
+    for_each_inner_facet<2>(Cells_of_table<2>{table}, table.cells(), [&](const Inner_facet<2>& f) { terms.add(f); });
     return terms.take();
 }
 

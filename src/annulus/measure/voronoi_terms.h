@@ -2,7 +2,7 @@
 #pragma once
 
 #include <annulus/measure/circumcentre.h>
-#include <annulus/measure/voronoi_exact.h>
+#include <annulus/measure/inner_facets.h>
 #include <annulus/predicate/bounds.h>
 #include <annulus/space/euclidean.h>
 #include <annulus/voronoi.h>
@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <span>
 
@@ -67,20 +68,31 @@ struct Voronoi_sum {
     }
 };
 
-/// The volume in the caller's unit of length to the d-th power; the unit of `sum` is 2^exponent.
+/// Converts sums in the unit 2^exponent to volumes in the caller's unit of length to the d-th power.
 template <int d>
-[[nodiscard]] double voronoi_volume(const Voronoi_sum& sum, int exponent) {
-    constexpr double parts = d == 2 ? 4 : 12;
-    return std::min(std::ldexp(sum.volume / parts, d * exponent), std::numeric_limits<double>::max());
-}
+class Volume_unit {
+  public:
+    explicit Volume_unit(int exponent)
+        : exponent_(d * exponent), factor_(std::ldexp(1.0, std::clamp(exponent_, -1022, 1023))) {}
 
-/// Computes the terms of facets, cell by cell. Refers to arrays of the caller: positions by vertex, circumcentres by
-/// cell, sums by vertex.
+    [[nodiscard]] double volume(const Voronoi_sum& sum) const {
+        constexpr double parts = d == 2 ? 4 : 12;
+        const double x = sum.volume / parts;
+        // The same number if the factor is 2^exponent: each rounds once, and only where x is subnormal or too large.
+        const bool is_factor = std::abs(exponent_) < 1022;
+        return std::min(is_factor ? x * factor_ : std::ldexp(x, exponent_), std::numeric_limits<double>::max());
+    }
+
+  private:
+    int exponent_;
+    double factor_;  // 2^exponent_ where that is a normal number
+};
+
+/// Computes the terms of facets. Refers to arrays of the caller: positions by vertex, circumcentres by cell, sums by
+/// vertex.
 ///
-/// `Cells` gives access to the table or list of cells: corner(c, i), a vertex; beyond(c, i), the cell beyond the facet
-/// opposite to it, a number below c where there is none; is_finite(c) of such a cell. A pass over all cells in
-/// ascending order adds the terms of every vertex in an order that depends only on the cells around it. So does a pass
-/// over some of the cells, if those around the vertex are among them, bit for bit.
+/// A pass over all cells in ascending order adds the terms of every vertex in an order that depends only on the cells
+/// around it. So does a pass over some of the cells, if those around the vertex are among them, bit for bit.
 template <int d>
 class Voronoi_terms {
   public:
@@ -89,27 +101,13 @@ class Voronoi_terms {
                   std::span<Voronoi_sum> sum)
         : x_(x), centre_(centre), scale_(scale), sum_(sum) {}
 
-    /// Adds the terms of those facets of a finite cell beyond which there is a finite cell with a larger number.
-    template <class Cells>
-    void add_facets(const Cells& cells, Index c) const {
-        std::array<Index, static_cast<std::size_t>(d + 1)> v;
-        for (std::size_t i = 0; i <= d; ++i) v[i] = cells.corner(c, i);
-        std::array<Coordinates<d>, static_cast<std::size_t>(d + 1)> edge{};  // from the first corner
-        for (std::size_t i = 1; i <= d; ++i) edge[i] = difference(v[0], v[i]);
-        for (std::size_t i = 0; i <= d; ++i) {
-            const Index n = cells.beyond(c, i);
-            if (n < c || !cells.is_finite(n)) continue;
-            const auto& facet = facet_corners<d>[i];
-            if constexpr (d == 2) add_edge(v, edge[facet[0]], edge[facet[1]], i, centre_[at(c)], n, cells.corner(n, 0));
-            else {
-                Seen left{centre_[at(c)].offset, centre_[at(c)].error};
-                if (i == 0) {
-                    for (std::size_t k = 0; k < d; ++k) left.offset[k] -= edge[1][k];
-                    left.error += u * (absolute_sum(edge[1]) + absolute_sum(left.offset));
-                    add_facet(v, i, difference(v[1], v[2]), difference(v[1], v[3]), left, n, cells.corner(n, 0));
-                } else add_facet(v, i, edge[facet[1]], edge[facet[2]], left, n, cells.corner(n, 0));
-            }
-        }
+    /// Adds the terms of the facets that for_each_inner_facet(cells, numbers) visits.
+    template <class Cells, class Numbers>
+    void add_facets(const Cells& cells, const Numbers& numbers) const {
+        for_each_inner_facet<d>(cells, numbers, [this](const Inner_facet<d>& f) {
+            if constexpr (d == 2) add_edge(f);
+            else add_facet(f);
+        });
     }
 
   private:
@@ -117,7 +115,6 @@ class Voronoi_terms {
     static constexpr double lost = 0x1p-1000;
     static constexpr double units =
         d == 2 ? bounds::voronoi_2 + 1 : std::max(bounds::voronoi_3_edge, bounds::voronoi_3_facet) + 7;
-    using Corners_of = std::array<Index, static_cast<std::size_t>(d + 1)>;
     /// A circumcentre relative to another point, with its error.
     struct Seen {
         Coordinates<d> offset;
@@ -139,40 +136,34 @@ class Voronoi_terms {
     [[nodiscard]] Coordinates<d> difference(Index a, Index b) const {
         return Euclidean<d>::difference(x_[at(b)], x_[at(a)], [this](double p, double q) { return (p - q) * scale_; });
     }
-    /// The circumcentre of cell n, whose first corner is `base`, relative to vertex a.
-    [[nodiscard]] Seen seen_from(Index a, Index n, Index base) const {
-        Seen out{difference(a, base), 0};
+    /// The circumcentre of a cell relative to vertex a.
+    [[nodiscard]] Seen seen_from(Index a, Index cell, Index first) const {
+        Seen out{difference(a, first), 0};
         const double far = absolute_sum(out.offset);
-        for (std::size_t k = 0; k < d; ++k) out.offset[k] += centre_[at(n)].offset[k];
-        out.error = centre_[at(n)].error + u * (far + absolute_sum(out.offset));
+        for (std::size_t k = 0; k < d; ++k) out.offset[k] += centre_[at(cell)].offset[k];
+        out.error = centre_[at(cell)].error + u * (far + absolute_sum(out.offset));
         return out;
     }
 
-    /// From p to q, both relative to the first corner; the cell is to the left, n to the right.
-    void add_edge(const Corners_of& v, const Coordinates<d>& p, const Coordinates<d>& q, std::size_t i,
-                  const Circumcentre<d>& left, Index n, Index base) const {
-        const Seen right = seen_from(v[0], n, base);
+    void add_edge(const Inner_facet<d>& f) const {
+        const Circumcentre<d>& left = centre_[at(f.cell)];
+        const Seen right = seen_from(f.first, f.beyond, f.first_beyond);
         Coordinates<d> dual;
         for (std::size_t k = 0; k < d; ++k) dual[k] = right.offset[k] - left.offset[k];
-        const Index from = v[facet_corners<d>[i][0]];
-        const Index to = v[facet_corners<d>[i][1]];
-        Coordinates<d> e;
-        if (i == 0) e = difference(from, to);
-        else
-            for (std::size_t k = 0; k < d; ++k) e[k] = q[k] - p[k];  // one of them is 0
+        const Coordinates<d> e = difference(f.corners[0], f.corners[1]);
         const double term = dual[0] * e[1] - dual[1] * e[0];
         const double across = largest(dual);
         const double error = largest(e) * (left.error + right.error + units * u * across) + lost * (1 + across);
-        sum_[at(from)].add(term, error);
-        sum_[at(to)].add(term, error);
+        sum_[at(f.corners[0])].add(term, error);
+        sum_[at(f.corners[1])].add(term, error);
     }
 
-    /// The facet opposite to corner i: e and f from its first corner to the others, `left` relative to that corner.
-    void add_facet(const Corners_of& v, std::size_t i, const Coordinates<d>& e, const Coordinates<d>& f,
-                   const Seen& left, Index n, Index base) const {
-        const auto& facet = facet_corners<d>[i];
-        const Index a = v[facet[0]];
-        const Seen right = seen_from(a, n, base);
+    void add_facet(const Inner_facet<d>& facet) const {
+        const Index a = facet.corners[0];
+        const Coordinates<d> e = difference(a, facet.corners[1]);
+        const Coordinates<d> f = difference(a, facet.corners[2]);
+        const Seen left = seen_from(a, facet.cell, facet.first);
+        const Seen right = seen_from(a, facet.beyond, facet.first_beyond);
         const Coordinates<d>& x = left.offset;
         Coordinates<d> dual;
         for (std::size_t k = 0; k < d; ++k) dual[k] = right.offset[k] - x[k];
@@ -196,8 +187,8 @@ class Voronoi_terms {
         const double error = (length * far + length_e * length_f) * (units * u * across + 2 * moved) +
                              length * left.error * (2 * across + moved) + lost * (1 + far) * (1 + across);
         sum_[at(a)].add(e_w - f_w, error);
-        sum_[at(v[facet[1]])].add(f_w + g, error);
-        sum_[at(v[facet[2]])].add(g - e_w, error);
+        sum_[at(facet.corners[1])].add(f_w + g, error);
+        sum_[at(facet.corners[2])].add(g - e_w, error);
     }
 
     std::span<const Coordinates<d>> x_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace annulus::inline v1 {
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Mesh_cells as Voronoi_terms reads them.
+/// Mesh_cells as for_each_inner_facet reads them.
 template <int d>
 struct Listed_cells {
     const Mesh_cells<d>& cells;
@@ -25,6 +26,7 @@ struct Listed_cells {
     [[nodiscard]] Index corner(Index c, std::size_t i) const { return cells.vertices[at(c)][i]; }
     [[nodiscard]] Index beyond(Index c, std::size_t i) const { return cells.neighbours[at(c)][i]; }
     [[nodiscard]] static bool is_finite(Index) { return true; }
+    [[nodiscard]] static bool owns(Index c, Index n) { return n != Mesh_cells<d>::outside && n < c; }
 };
 
 template <int d>
@@ -50,12 +52,13 @@ class Fresh_volumes {
         std::fill(sum_.begin(), sum_.end(), Voronoi_sum{});
         const Voronoi_terms<d> terms(x_, centre_, scale, sum_);
         const Listed_cells<d> cells{cells_};
-        for (std::size_t c = 0; c < cells_.vertices.size(); ++c) terms.add_facets(cells, static_cast<Index>(c));
+        terms.add_facets(cells, std::views::iota(Index{0}, static_cast<Index>(cells_.vertices.size())));
     }
 
     /// Scales a sum back to the caller's unit where it is accurate enough, computes the others from exact
     /// circumcentres, and writes infinity or NaN for unbounded cells and free indices.
     std::vector<double> finish(Voronoi_counts& counts) {
+        const Volume_unit<d> unit(input_.exponent);
         std::vector<double> volume(x_.size());
         std::vector<Index> poor;
         for (std::size_t v = 0; v < x_.size(); ++v) {
@@ -65,7 +68,7 @@ class Fresh_volumes {
                 continue;
             }
             ++counts.bounded;
-            if (sum_[v].is_good()) volume[v] = voronoi_volume<d>(sum_[v], input_.exponent);
+            if (sum_[v].is_good()) volume[v] = unit.volume(sum_[v]);
             else poor.push_back(static_cast<Index>(v));
         }
         counts.exact = poor.size();
