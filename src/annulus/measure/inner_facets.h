@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/internal/index.h>
 #include <annulus/measure/voronoi_exact.h>
 #include <annulus/types.h>
 
@@ -17,12 +18,17 @@ struct Inner_facet {
     std::array<Index, static_cast<std::size_t>(d)> corners;  ///< in the order of facet_corners, seen from cell
 };
 
+/// The cells of a list, for for_each_inner_facet.
+[[nodiscard]] inline auto all_cells(std::size_t cells) {
+    return Index_range(Cell_index(static_cast<Index>(cells)), [](Cell_index) { return true; });
+}
+
 /// Visits facets between finite cells: cell by cell in the order of `numbers`, a range of Index or Cell_index, and in a
 /// cell facet by facet. O(1) for each.
 ///
-/// `Cells` gives access to a table or list of cells: is_finite(c); corner(c, i), a vertex; beyond(c, i), the cell beyond
-/// the facet opposite to it; owns(c, n), for every such n, also where there is no cell: whether the facet is visited
-/// from c, which must be true from one of its two sides only.
+/// `Cells` gives access to a table or list of cells: is_finite(c); corner(c, i), a vertex; beyond(c, i), the cell
+/// beyond the facet opposite to it; owns(c, n), for every such n, also where there is no cell: whether the facet is
+/// visited from c, which must be true from one of its two sides only.
 ///
 /// Half of the facets are skipped, which no branch predictor foresees. Hence they are collected without branches, and
 /// visited in batches.

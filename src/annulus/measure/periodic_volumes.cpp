@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 namespace annulus::inline v1 {
 
 namespace {
 
-/// The cells as for_each_inner_facet reads them: beyond a facet there is a cell in the same frame. Images with an offset are
-/// points of their own, and a cell in another frame than its own is one more cell, of which a corner and the
+/// The cells as for_each_inner_facet reads them: beyond a facet there is a cell in the same frame. Images with an
+/// offset are points of their own, and a cell in another frame than its own is one more cell, of which a corner and the
 /// circumcentre are read.
 template <int d>
 class Unfolded {
@@ -114,7 +113,7 @@ std::vector<double> periodic_voronoi_volumes(const Periodic_table<d>& table, con
     const Unfolded<d> cells(table, places, place);
     std::vector<Voronoi_sum> sum(cells.points().size());
     const Voronoi_terms<d> terms(cells.points(), cells.centres(), places.scale(), sum);
-    terms.add_facets(cells, std::views::iota(Index{0}, static_cast<Index>(table.size())));
+    terms.add_facets(cells, all_cells(table.size()));
     for (std::size_t k = place.size(); k < sum.size(); ++k)
         sum[at(cells.vertex_of(k))].add(sum[k].volume, sum[k].error);
     const Volume_unit<d> unit(places.exponent());

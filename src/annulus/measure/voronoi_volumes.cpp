@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace annulus::inline v1 {
 
@@ -52,7 +51,7 @@ class Fresh_volumes {
         std::fill(sum_.begin(), sum_.end(), Voronoi_sum{});
         const Voronoi_terms<d> terms(x_, centre_, scale, sum_);
         const Listed_cells<d> cells{cells_};
-        terms.add_facets(cells, std::views::iota(Index{0}, static_cast<Index>(cells_.vertices.size())));
+        terms.add_facets(cells, all_cells(cells_.vertices.size()));
     }
 
     /// Scales a sum back to the caller's unit where it is accurate enough, computes the others from exact
