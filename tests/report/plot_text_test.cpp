@@ -68,22 +68,30 @@ TEST_CASE("A run of one iteration has no plot with a dot", "[report]") {
 
 TEST_CASE("Curves that lie upon one another are named", "[report]") {
     Comparison_record comparison{{of("rebuild", 1, 2), of("auto", 1, 2.002), of("paper", 0.01, 0.02)}, true, {}};
-    CHECK(on_coinciding_curves(comparison_plots(comparison)) ==
-          " The curves of rebuild and auto lie upon one another.");
+    const auto said = [&](std::size_t plot) { return on_coinciding_curves(comparison_plots(comparison).at(plot)); };
+    CHECK(said(0) == "The curves of rebuild and auto lie upon one another.");
+    CHECK(said(1) == said(0));
     Report report;
     report.run = comparison.runs[0];
     report.comparison = comparison;
-    CHECK(contains(report_html(report), "small displacements. The curves of rebuild and auto lie upon one another."));
+    CHECK(occurrences(report_html(report),
+                      "<figcaption>The curves of rebuild and auto lie upon one another.</figcaption></figure>") == 2);
     comparison.runs[1].steps[0].seconds_cumulative = 1.1;
-    CHECK(on_coinciding_curves(comparison_plots(comparison)).empty());
+    CHECK((said(0).empty() && said(1).empty()));
     // Apart on a logarithmic scale alone.
     comparison.runs.push_back(of("tolerances", 0.012, 0.024));
-    CHECK(on_coinciding_curves(comparison_plots(comparison)) ==
-          " On the linear scale the curves of paper and tolerances lie upon one another.");
+    CHECK(said(0) == "The curves of paper and tolerances lie upon one another.");
+    CHECK(said(1).empty());
     comparison.runs.push_back(of("relocate", 1.1, 2.002));
-    CHECK(on_coinciding_curves(comparison_plots(comparison)) ==
-          " On the linear scale the curves of auto and relocate; of paper and tolerances lie upon one another. On the "
-          "logarithmic scale the curves of auto and relocate lie upon one another.");
+    CHECK(said(0) == "The curves of auto and relocate; of paper and tolerances lie upon one another.");
+    CHECK(said(1) == "The curves of auto and relocate lie upon one another.");
+    // On a logarithmic scale nothing of the first two is to be seen; names with commas are quoted.
+    const Plot rows{
+        "",
+        {"x"},
+        {"y", Scale::log10},
+        {{"a", {1, 2}, {0, 0}}, {"b", {1, 2}, {0, 0}}, {"fcc, 1", {1, 2}, {3, 4}}, {"fcc, 2", {1, 2}, {3, 4}}}};
+    CHECK(on_coinciding_curves(rows) == "The curves of \"fcc, 1\" and \"fcc, 2\" lie upon one another.");
 }
 
 TEST_CASE("Displacements of a replayed motion without tolerances are plotted once", "[report]") {

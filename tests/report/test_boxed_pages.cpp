@@ -74,7 +74,7 @@ TEST_CASE("A page without tolerances does not speak of them", "[report]") {
 TEST_CASE("In a periodic box all cells are bounded", "[report]") {
     Run_record run = two_steps();
     std::vector<Frame_record> frames(2);
-    frames[0].voronoi = frames[1].voronoi = Frame_record::Voronoi{.bounded = 5, .hexagons = 0.25};
+    frames[0].voronoi = frames[1].voronoi = Frame_record::Voronoi{.bounded = 5, .volume_median = 1, .hexagons = 0.25};
     const auto titles = [&] {
         std::string all;
         const std::vector<Figure> figures = frame_figures(frames, run, false);

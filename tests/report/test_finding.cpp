@@ -58,6 +58,9 @@ TEST_CASE("Moves are within tolerance or beyond it only where that was tested", 
     CHECK(plots[0].title == "Moves beyond their tolerance");
     CHECK(std::isnan(plots[0].series[0].y[0]));
     CHECK(std::fabs(plots[0].series[0].y[1] - 10) < 1e-9);
+    CHECK(plots[0].x.lower == 2.);
+    CHECK(plots[0].x.scale == Scale::linear);
+    CHECK(cost_plots(two_steps())[0].x.scale == Scale::log10);
     Report report;
     report.run = run;
     CHECK(contains(report_html(report), "Of 2 iterations 1 tested tolerances."));

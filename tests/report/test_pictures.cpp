@@ -7,6 +7,7 @@
 #include <apps/report/cut_picture.h>
 #include <apps/report/frame_record.h>
 #include <apps/report/joined_outlines.h>
+#include <apps/report/quantile.h>
 #include <apps/report/report.h>
 #include <apps/report/svg_gray.h>
 
@@ -215,8 +216,8 @@ TEST_CASE("Pairs of neighbours have two curves where they differ", "[report]") {
                    "flips."));
     run.moves.rebuilt = 1;
     CHECK(contains(caption(true),
-                   "is not counted. A frame that was rebuilt has such changes, and no flips: so there "
-                   "is no chart of flips."));
+                   "is not counted. A frame that was rebuilt has such changes, and no flips: so flips "
+                   "are counted, but not charted."));
     CHECK(contains(caption(false), "A frame that was rebuilt has such changes, and no flips."));
     run.moves.rebuilt = run.moves.reinserted = 0;
     run.strategy = "paper:floating";
@@ -227,11 +228,37 @@ TEST_CASE("Pairs of neighbours have two curves where they differ", "[report]") {
     run.moves.rebuilt = 1;
     frames[0].pairs.reset();
     frames[1].pairs.reset();
-    CHECK(caption(true) == "A frame that was rebuilt has no flips: so there is no chart of flips.");
+    CHECK(caption(true) == "A frame that was rebuilt has no flips: so flips are counted, but not charted.");
     frames[0].pairs = frames[1].pairs = Frame_record::Neighbour_pairs{3, 3};
     frames[1].pairs->broken = 2;
     REQUIRE(changes().series.size() == 2);
     CHECK(changes().series[1].name == "broken");
+}
+
+TEST_CASE("Quantiles of few values are between them", "[report]") {
+    std::vector<double> two{3, 1};
+    CHECK(quantile(two, 0) == 1);
+    CHECK(quantile(two, 0.5) == 2);
+    CHECK(quantile(two, 0.75) == 2.5);
+    CHECK(quantile(two, 1) == 3);
+    std::vector<double> one{7};
+    CHECK(quantile(one, 0.95) == 7);
+    std::vector<double> five{5, 3, 1, 4, 2};
+    CHECK(quantile(five, 0.25) == 2);
+    CHECK(std::fabs(quantile(five, 0.95) - 4.8) < 1e-15);
+}
+
+TEST_CASE("Volumes have no curves where no cell has one", "[report]") {
+    std::vector<Frame_record> frames(2);
+    frames[0].voronoi = frames[1].voronoi = Frame_record::Voronoi{.unbounded = 3};
+    const auto figure = [&] { return frame_figures(frames, {}, false).back(); };
+    REQUIRE(figure().panels.size() == 1);
+    CHECK(figure().panels[0].title == "Unbounded cells");
+    frames[1].number = 1;
+    frames[1].voronoi->volume_low = frames[1].voronoi->volume_high = 0.5;
+    REQUIRE(figure().panels.size() == 2);
+    CHECK(figure().panels[0].series.size() == 2);
+    CHECK(figure().panels[0].series[0].x == std::vector<double>{1});
 }
 
 TEST_CASE("A share of cells is in percent, as in the finding", "[report]") {

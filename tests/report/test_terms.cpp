@@ -4,6 +4,7 @@
 
 #include <formats/well_formed.h>
 
+#include <apps/report/certificate_terms.h>
 #include <apps/report/run_terms.h>
 #include <apps/report/terms.h>
 
@@ -89,6 +90,30 @@ TEST_CASE("The terms of a page are those of its dimension and of its tolerances"
     CHECK(contains(terms(report), "Kept in place"));
 }
 
+TEST_CASE("Certificates and spacings are those of open sets, of boxes, or of both", "[report]") {
+    const auto of = [](bool open, bool boxes) {
+        std::string out;
+        append_degeneracy_terms(out, {true, false, open, boxes});
+        return out;
+    };
+    CHECK(contains(of(true, false), "the area of the hull that one vertex has"));
+    CHECK(contains(of(false, true), "the area of the box that one vertex has"));
+    CHECK(contains(of(true, true), "the area of the hull, or of the box, that one vertex has"));
+    CHECK(contains(of(true, true), "that the hull is convex there (in a periodic box there is none)."));
+    CHECK(!contains(of(false, true), "hull"));
+    CHECK(!contains(of(false, true), "Unsound"));
+}
+
+TEST_CASE("Locked vertices are explained where there are some", "[report]") {
+    Report report = with_tolerances("auto", "certified");
+    report.run.dimension = 3;
+    CHECK(!contains(terms(report), "Locked"));
+    report.run.steps[1].mesh.emplace();
+    CHECK(!contains(terms(report), "Locked"));
+    report.run.steps[1].mesh->locked = 1;
+    CHECK(contains(terms(report), "<dt>Locked</dt><dd>A vertex that rests in an iteration, because"));
+}
+
 TEST_CASE("Inner vertices and measured triangles are those that the page counts", "[report]") {
     Run_record run = two_steps();
     CHECK(cells_caption(run).empty());
@@ -127,8 +152,16 @@ TEST_CASE("A page speaks of moves within tolerance only where a step tested some
     html = report_html(report);
     for (const char* part :
          {"<th scope=\"row\">within tolerance until tests were given up, or at rest</th><td>30 <small>(15 %)",
-          "<th scope=\"row\">iterations that tested tolerances</th><td>none to the end</td>"})
+          "<th scope=\"row\">iterations that tested tolerances</th><td>none completed</td>"})
         CHECK(contains(html, part));
+    report.run.steps[1].tested_tolerances = true;  // one step was tested, another one in part
+    report.run.steps[1].moves.within_tolerance = 20;
+    CHECK(contains(report_html(report),
+                   "<th scope=\"row\">within tolerance, also where tests were then given up, or at rest</th><td>30 "));
+    report.run.moves.within_tolerance = 20;
+    CHECK(contains(report_html(report), "<th scope=\"row\">within tolerance, or at rest</th><td>20 "));
+    report.run.moves.within_tolerance = 30;
+    report.run.steps[1].tested_tolerances = false;
     report.run.strategy = "rebuild";
     html = report_html(report);
     CHECK(contains(html, "<th scope=\"row\">at rest</th><td>30 <small>(15 %)"));

@@ -154,7 +154,7 @@ class Clip(FrameTest):
         """In the summary, on the page, on the terminal; the cells of .vtu files are clipped, too."""
         name = self.xyz_of(wander(2, 3, 12, 4))
         for clip, kind, rows, said in (
-                ("0,0,1,2", "box", [[0, 0], [1, 2]], "a box"),
+                ("0,0,1,2", "box", [[0, 0], [1, 2]], "a box from (0, 0) to (1, 2)"),
                 ("polygon:0,0,2,0,0,2", "polygon", [[0, 0], [2, 0], [0, 2]], "a polygon with 3 corners"),
                 ("half-spaces:-1,0,0,0,-1,0,1,1,-2", "half-spaces", [[-1, 0, 0], [0, -1, 0], [1, 1, -2]],
                  "3 half-spaces")):
@@ -163,10 +163,24 @@ class Clip(FrameTest):
             self.assertEqual(self.summary("out")["clip"], {"kind": kind, "rows": rows})
             page = (self.here / "out" / "report.html").read_text(encoding="utf-8")
             self.assertTrue(said in page and "Unbounded cells" not in page, clip)
+            self.assertIn("In the last frame ", page)
+            self.assertIn(" reach the clipping region, ", page)
             areas = tool.vtu_values(self.here / "out" / "frame-000000.vtu", "voronoi_area")
             self.assertAlmostEqual(sum(areas), 2, delta=1e-12)
         self.succeed("replay", name, "--voronoi", "--output", "out", "--quiet")
         self.assertNotIn("clip", self.summary("out"))
+
+    def test_cells_that_reach_a_clip_are_counted(self):
+        name = self.write("four.xyz", "4\n\n0 0\n1 0\n0 1\n1 1\n\n4\n\n0 0\n1 0\n0 1\n1 1.0625\n")
+        for clip, said in (("-1,-1,2,2", "4 of 4 Voronoi cells reach the clipping region, none are wholly inside."),
+                           ("5,4,6,5", "1 of 4 Voronoi cells reaches the clipping region, none are wholly inside.")):
+            self.succeed("replay", name, "--clip", clip, "--voronoi", "--output", "out", "--quiet")
+            self.assertIn("In the last frame " + said, self.page_of("out"))
+        self.succeed("replay", name, "--clip", "0,0,1,1", "--neighbors", "--output", "out", "--quiet")
+        self.assertNotIn("reach the clipping region", self.page_of("out"))
+
+    def page_of(self, folder):
+        return (self.here / folder / "report.html").read_text(encoding="utf-8")
 
     def test_refusals(self):
         name = self.xyz_of(wander(2, 2, 9, 1))

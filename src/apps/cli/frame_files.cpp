@@ -6,6 +6,7 @@
 #include <apps/formats/decimal.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_vtu.h>
+#include <apps/report/quantile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::string file_of(std::size_t step) {
 Frame_record::Voronoi summary_of(const Cell_measures& cells, const std::vector<std::size_t>& vertices) {
     Frame_record::Voronoi out;
     std::vector<double> bounded;
-    double sum = 0, hexagons = 0, whole = 0;
+    double sum = 0, hexagons = 0;
     for (const std::size_t i : vertices) {
         if (!std::isfinite(cells.volume[i])) {
             ++out.unbounded;
@@ -51,22 +52,17 @@ Frame_record::Voronoi summary_of(const Cell_measures& cells, const std::vector<s
         if (clipped && cells.volume[i] == 0) continue;
         bounded.push_back(cells.volume[i]);
         if (clipped && !cells.whole[i]) continue;
-        ++whole;
+        ++out.whole;
         sum += cells.neighbours[i];
         hexagons += cells.neighbours[i] == 6 ? 1 : 0;
     }
     out.bounded = bounded.size();
     if (bounded.empty()) return out;
-    const auto n = static_cast<double>(bounded.size());
-    const auto quantile = [&](double share) {
-        const auto at = bounded.begin() + static_cast<std::ptrdiff_t>(share * (n - 1));
-        std::nth_element(bounded.begin(), at, bounded.end());
-        return *at;
-    };
-    out.volume_low = quantile(0.05);
-    out.volume_median = quantile(0.5);
-    out.volume_high = quantile(0.95);
-    if (whole == 0) return out;
+    out.volume_low = quantile(bounded, 0.05);
+    out.volume_median = quantile(bounded, 0.5);
+    out.volume_high = quantile(bounded, 0.95);
+    if (out.whole == 0) return out;
+    const auto whole = static_cast<double>(out.whole);
     out.neighbours_mean = sum / whole;
     out.hexagons = hexagons / whole;
     return out;

@@ -91,6 +91,7 @@ class Replay {
             page_.voronoi.push_back(std::move(last->cells));
         }
         page_.notes = std::move(notes);
+        if (tracker_.record().clip && files_->records().back().voronoi) page_.notes.push_back(on_clip());
         page_.cells = ordered_cells(tracker_.triangulation());
         page_.figures = frame_figures(files_->records(), tracker_.record(), true);
         page_.frames = &*files_;
@@ -98,6 +99,15 @@ class Replay {
     }
 
   private:
+    /// How many cells a clip leaves in the last frame, a sentence.
+    [[nodiscard]] std::string on_clip() const {
+        const Frame_record& last = files_->records().back();
+        const auto count = [](std::uint64_t n) { return n == 0 ? std::string("none") : grouped(n); };
+        const std::uint64_t reach = last.voronoi->bounded;
+        return "In the last frame " + count(reach) + " of " + grouped(last.points, "Voronoi cell") +
+               (reach == 1 ? " reaches" : " reach") + " the clipping region, " + count(last.voronoi->whole) +
+               (last.voronoi->whole == 1 ? " is" : " are") + " wholly inside.";
+    }
     Follows first_frame(const Replay_call& a, const Options& options) {
         (void)frames_.next(frame_);
         traffic_.merged = frame_.merged;

@@ -129,7 +129,8 @@ std::string sweep_html(const Spec& spec, const std::vector<Grid_point>& points) 
     append_row(out, "seed of the sweep, from which each trial has its own", std::to_string(spec.seed));
     out += "</table></div>\n";
     const auto has = [&sum](int dimension, bool periodic) { return sum.contains({dimension, periodic}); };
-    append_degeneracy_terms(out, {has(2, false) || has(2, true), has(3, false) || has(3, true), !open});
+    append_degeneracy_terms(
+        out, {has(2, false) || has(2, true), has(3, false) || has(3, true), open, has(2, true) || has(3, true)});
     return out + page_foot();
 }
 

@@ -25,8 +25,9 @@ Terms certificate_terms(const Certificate_terms& of) {
              word_of(of, "circle", "sphere") +
              " through one cell leaves the opposite vertex of the other outside, that of a cell that it is not turned "
              "over" +
-             (of.periodic ? std::string()
-                          : ", that of a hull " + word_of(of, "vertex", "edge") + " that the hull is convex there") +
+             (of.open ? ", that of a hull " + word_of(of, "vertex", "edge") + " that the hull is convex there" +
+                            (of.boxes ? " (in a periodic box there is none)" : "")
+                      : std::string()) +
              "."},
         {"Annulus", "The region between two concentric " + word_of(of, "circles", "spheres") +
                         " with the points of a bi-cell on them; the standard one has those of the shared " +
@@ -45,9 +46,12 @@ void append_degeneracy_terms(std::string& out, const Certificate_terms& of) {
     terms.push_back({"Theta", "The angle between the axis of the " + word_of(of, "edge", "triangle") +
                                   " that a bi-cell shares and the bisector of its two other vertices."});
     terms.push_back({"Mean spacing", "The " + word_of(of, "square root of the area", "cube root of the volume") +
-                                         " of the " + (of.periodic ? "box" : "hull") +
+                                         " of the " +
+                                         (!of.boxes ? "hull"
+                                          : of.open ? "hull, or of the box,"
+                                                    : "box") +
                                          " that one vertex has on average."});
-    if (!of.periodic)
+    if (of.open)
         terms.push_back({"Unsound",
                          "A vertex is in a certificate all points of which can go to where it fails and stay within "
                          "the paper's tolerances. The paper: de Castro, Tournois, Alliez and Devillers, Filtering "

@@ -9,9 +9,10 @@ namespace annulus::inline v1 {
 
 /// Of which points the terms of a page speak.
 struct Certificate_terms {
-    bool plane = true;      ///< the page has points in 2D
-    bool space = false;     ///< and in 3D
-    bool periodic = false;  ///< in a periodic box: without a hull, and without the paper's tolerances
+    bool plane = true;   ///< the page has points in 2D
+    bool space = false;  ///< and in 3D
+    bool open = true;    ///< with open boundaries: with a hull, and the paper's tolerances
+    bool boxes = false;  ///< and in periodic boxes
 };
 
 /// What bi-cells, certificates, annuli, slabs and tolerances are; the tolerance last. Precondition: `plane` or `space`.

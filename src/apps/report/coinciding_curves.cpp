@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace annulus::inline v1 {
 
@@ -23,13 +22,17 @@ bool coincide(const Series& a, const Series& b, const Axis_range& ys) {
     return true;
 }
 
-/// "a, b and c", of each group, separated by semicolons.
+/// "a, b and c", of each group, separated by semicolons; names in quotes if one has a comma.
 std::string names_of(const Plot& plot, const std::vector<std::vector<std::size_t>>& groups) {
+    const std::string quote = std::any_of(plot.series.begin(), plot.series.end(),
+                                          [](const Series& s) { return s.name.find(',') != std::string::npos; })
+                                  ? "\""
+                                  : "";
     std::string text;
     for (const auto& group : groups) {
         if (!text.empty()) text += "; of ";
         for (std::size_t k = 0; k < group.size(); ++k)
-            text += (k == 0 ? "" : k + 1 == group.size() ? " and " : ", ") + plot.series[group[k]].name;
+            text += (k == 0 ? "" : k + 1 == group.size() ? " and " : ", ") + quote + plot.series[group[k]].name + quote;
     }
     return text;
 }
@@ -42,6 +45,8 @@ std::vector<std::vector<std::size_t>> coinciding_curves(const Plot& plot) {
     const Axis_range ys(plot.y, all);
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
+        const std::vector<double>& y = plot.series[i].y;
+        if (std::none_of(y.begin(), y.end(), [&](double value) { return ys.can_show(value); })) continue;
         const auto like = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
             return coincide(plot.series[group.front()], plot.series[i], ys);
         });
@@ -52,19 +57,9 @@ std::vector<std::vector<std::size_t>> coinciding_curves(const Plot& plot) {
     return groups;
 }
 
-std::string on_coinciding_curves(const std::vector<Plot>& plots) {
-    std::vector<std::string> names;
-    for (const Plot& plot : plots) names.push_back(names_of(plot, coinciding_curves(plot)));
-    const bool alike = std::adjacent_find(names.begin(), names.end(), std::not_equal_to<>()) == names.end();
-    std::string text;
-    for (std::size_t k = 0; k < plots.size() && !(alike && k > 0); ++k) {
-        if (names[k].empty()) continue;
-        text += alike || plots.size() == 1          ? " The curves of "
-                : plots[k].y.scale == Scale::linear ? " On the linear scale the curves of "
-                                                    : " On the logarithmic scale the curves of ";
-        text += names[k] + " lie upon one another.";
-    }
-    return text;
+std::string on_coinciding_curves(const Plot& plot) {
+    const std::string names = names_of(plot, coinciding_curves(plot));
+    return names.empty() ? "" : "The curves of " + names + " lie upon one another.";
 }
 
 }  // namespace annulus::inline v1

@@ -12,7 +12,7 @@ namespace annulus::inline v1 {
 /// two lines are thick. Of curves over the same x. O(number of curves, times that of groups, times points).
 [[nodiscard]] std::vector<std::vector<std::size_t>> coinciding_curves(const Plot& plot);
 
-/// A sentence, after a blank, for each plot that has such curves; one for all plots where they are the same in each.
-[[nodiscard]] std::string on_coinciding_curves(const std::vector<Plot>& plots);
+/// A sentence, empty for a plot that has no such curves.
+[[nodiscard]] std::string on_coinciding_curves(const Plot& plot);
 
 }  // namespace annulus::inline v1

@@ -4,7 +4,6 @@
 #include <apps/formats/markup.h>
 #include <apps/report/audit_words.h>
 #include <apps/report/axis_ticks.h>
-#include <apps/report/coinciding_curves.h>
 #include <apps/report/finding.h>
 #include <apps/report/page.h>
 #include <apps/report/report_plots.h>
@@ -75,15 +74,13 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
                       "s that tested tolerances; a dash where none did."
                 : "No strategy tested tolerances.") +
            "</figcaption>\n";
-    const std::vector<Plot> plots = comparison_plots(comparison);
-    append_plots(out, "Cumulative time", plots,
+    append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
                  "construction of the first triangulation and its tolerances, summed" +
                      std::string(times_processor(first) ? ": processor time."
                                                         : " by the wall clock: a jump may be a pause of the machine.") +
                      " A curve that flattens belongs to a strategy that gains from small "
-                     "displacements." +
-                     on_coinciding_curves(plots));
+                     "displacements.");
 }
 
 }  // namespace annulus::inline v1

@@ -271,7 +271,7 @@ std::string degeneracy_html(const Degeneracy_record& r) {
     append_quantiles(out, d);
     append_stages(out, d);
     append_numbers(out, r);
-    append_degeneracy_terms(out, {d.dimension == 2, d.dimension == 3, d.periodic});
+    append_degeneracy_terms(out, {d.dimension == 2, d.dimension == 3, !d.periodic, d.periodic});
     return out + page_foot();
 }
 

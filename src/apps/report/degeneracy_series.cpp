@@ -208,7 +208,7 @@ std::string degeneracy_html(const Degeneracy_series& series) {
                  "The least, the one that 1 % are below, and the median, in mean spacings of the frame. What is 0 is "
                  "not drawn, and what is 0 in all frames has no plot.");
     if (!flat) append_frame_counts(out, series);
-    append_degeneracy_terms(out, {series.dimension == 2, series.dimension == 3, periodic});
+    append_degeneracy_terms(out, {series.dimension == 2, series.dimension == 3, !periodic, periodic});
     return out + page_foot();
 }
 

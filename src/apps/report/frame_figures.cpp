@@ -54,7 +54,7 @@ std::string on_flips(const Run_record& run, bool charted, bool changes, bool poi
     if (run.moves.rebuilt > 0)
         return std::string(run.replayed ? " A frame" : " An iteration") + " that was rebuilt has " +
                (changes ? "such changes, and no flips" : "no flips") +
-               (charted ? ": so there is no chart of flips." : ".");
+               (charted ? ": so flips are counted, but not charted." : ".");
     if (!counts_flips(run)) return charted ? " The strategy " + run.strategy + " counts no flips." : "";
     if (!changes) return {};
     if (run.moves.reinserted > 0 || points_change)
@@ -121,8 +121,12 @@ std::vector<Figure> frame_figures(const std::vector<Frame_record>& frames, const
     const char* const volume = run.dimension == 2 ? "area" : "volume";
     const std::string bounded = run.input.box.empty() ? "bounded cells" : "cells";  // in a periodic box all are
     const std::string counted = run.clip ? "cells wholly inside" : bounded;
+    if (run.clip)
+        cells.caption += std::string("The ") + volume +
+                         " is that of the part in the clipping region, of all cells that "
+                         "reach it. Neighbours are counted of cells wholly inside.";
     cells.panels.push_back(plot(
-        std::string("The ") + volume + " of " + (run.clip ? "cells in the clipping region" : bounded), word, volume,
+        std::string("The ") + volume + " of " + (run.clip ? "cells cut to the clipping region" : bounded), word, volume,
         {voronoi("5 %", &Voronoi::volume_low), voronoi("median", &Voronoi::volume_median),
          voronoi("95 %", &Voronoi::volume_high)}));
     Series hexagons = voronoi("", &Voronoi::hexagons);

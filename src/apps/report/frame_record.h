@@ -14,11 +14,12 @@ struct Frame_record {
     struct Neighbour_pairs {
         std::uint64_t made = 0, broken = 0;
     };
-    /// Voronoi cells that are bounded; the numbers are 0 where there are none. Neighbours are those of cells that a
-    /// clip does not cut; absent where there are none.
+    /// Voronoi cells that are bounded, with a clip those that reach it, of which the part in it counts. Neighbours are
+    /// those of cells that a clip does not cut. Numbers are absent where there are no such cells.
     struct Voronoi {
         std::uint64_t bounded = 0, unbounded = 0;
-        double volume_low = 0, volume_median = 0, volume_high = 0;  ///< 5 %, half and 95 % are smaller
+        std::uint64_t whole = 0;                                             ///< of the bounded ones, not cut by a clip
+        std::optional<double> volume_low{}, volume_median{}, volume_high{};  ///< 5 %, half and 95 % are smaller
         std::optional<double> neighbours_mean{};
         std::optional<double> hexagons{};  ///< share of cells with six neighbours
     };

@@ -2,6 +2,8 @@
 #include <apps/formats/markup.h>
 #include <apps/report/axis_ticks.h>
 #include <apps/report/page.h>
+
+#include <apps/report/coinciding_curves.h>
 #include <apps/report/report_style.h>
 #include <apps/report/table.h>
 
@@ -106,7 +108,8 @@ void append_plots(std::string& out, const std::string& heading, const std::vecto
                   const std::string& caption) {
     if (plots.empty()) return;
     out += "<h2>" + escaped(heading) + "</h2>\n<div class=\"panels\">\n";
-    for (const Plot& plot : plots) append_figure(out, plot.title, plot_html(plot), "");
+    for (const Plot& plot : plots)
+        append_figure(out, plot.title, plot_html(plot), only_place(plot) ? "" : escaped(on_coinciding_curves(plot)));
     out += "</div>\n";
     if (!caption.empty()) out += "<figcaption>" + escaped(caption) + "</figcaption>\n";
 }

@@ -56,13 +56,16 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     out += "</table><table>\n";
     const Moves_record& moves = run.moves;
     append_row(out, "moves asked for", grouped(moves.asked));
-    const std::uint64_t tested = tested_moves(run).steps;
+    const Tested_moves of_tested = tested_moves(run);
+    const std::uint64_t tested = of_tested.steps;
     // Where tests were given up, those that had passed are counted, too.
-    const bool given_up = has_tolerances(run) && tested == 0 && moves.within_tolerance > 0;
+    const bool given_up = has_tolerances(run) && moves.within_tolerance > of_tested.within_tolerance;
     if (!has_tolerances(run)) append_row(out, "at rest", with_share(moves.within_tolerance, moves.asked));
     else if (tested > 0 || moves.within_tolerance > 0)
         append_row(out,
-                   given_up ? "within tolerance until tests were given up, or at rest" : "within tolerance, or at rest",
+                   !given_up     ? "within tolerance, or at rest"
+                   : tested == 0 ? "within tolerance until tests were given up, or at rest"
+                                 : "within tolerance, also where tests were then given up, or at rest",
                    with_share(moves.within_tolerance, moves.asked));
     append_row(out, "kept in place", with_share(moves.kept_in_place, moves.asked));
     append_row(out, "flipped", with_share(moves.flipped, moves.asked));
@@ -72,7 +75,7 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
         append_row(out,
                    std::string(step_word(run)) + (run.finished ? "s, or finish," : "s") + " that tested tolerances",
                    tested > 0 ? with_share(tested, run.steps.size())
-                   : given_up ? "none to the end"
+                   : given_up ? "none completed"
                               : "none");
     out += "</table></div>\n";
 }

@@ -125,6 +125,13 @@ std::vector<Plot> cost_plots(const Run_record& run) {
             const double within = static_cast<double>(s.moves.within_tolerance) / static_cast<double>(s.moves.asked);
             return 100 * (1 - within);
         }));
+        const auto first = std::find_if(run.steps.begin(), run.steps.end(), [](const Iteration_record& s) {
+            return s.tested_tolerances && s.moves.asked > 0;
+        });
+        if (first->iteration > 1) {  // a logarithmic axis from 1 would squeeze what is far from there
+            plot.x.scale = Scale::linear;
+            plot.x.lower = static_cast<double>(first->iteration);
+        }
         plots.push_back(std::move(plot));
     }
     const std::string word = step_word(run);

@@ -28,7 +28,7 @@ std::string on_kind(const std::string& kind) {
 
 /// Certificates and their tolerances, of which kinds, and how the runs test them.
 void append_tolerances(Terms& terms, bool plane, const std::vector<Run_record>& runs) {
-    for (Term& term : certificate_terms({plane, !plane, false})) terms.push_back(std::move(term));
+    for (Term& term : certificate_terms({plane, !plane})) terms.push_back(std::move(term));
     std::string& tolerance = terms.back().meaning;
     std::set<std::string> kinds;
     for (const Run_record& run : runs)
@@ -85,6 +85,10 @@ void append_run_terms(std::string& out, const Report& report) {
         append_tolerances(
             terms, plane,
             report.comparison && !report.comparison->runs.empty() ? report.comparison->runs : std::vector{run});
+    if (std::any_of(run.steps.begin(), run.steps.end(), [](const auto& s) { return s.mesh && s.mesh->locked > 0; }))
+        terms.push_back({"Locked",
+                         "A vertex that rests in an iteration, because all dihedral angles of its cells are between "
+                         "the angle of --lock and 180 degrees minus it."});
     terms.push_back(
         {"Flip",
          plane ? "The edge that two triangles share is replaced by the other diagonal of their quadrilateral."
@@ -92,7 +96,7 @@ void append_run_terms(std::string& out, const Report& report) {
                  "around an edge by four around another."});
     terms.push_back({"Kept in place", "A vertex that had to be checked, and around which no cell changed."});
     terms.push_back({"Flipped", "A vertex around which flips were made."});
-    if (!in_box(run)) terms.push_back({"Reinserted", "A vertex that was removed and inserted again."});
+    terms.push_back({"Reinserted", "A vertex that was removed and inserted again."});
     terms.push_back({"Rebuilt", "A vertex of a triangulation that was built again from all points."});
     append_terms(out, terms);
 }

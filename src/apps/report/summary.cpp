@@ -63,7 +63,13 @@ void append_input(Json& json, const Input_record& input) {
 
 std::string in_words(const Clip_record& clip) {
     if (clip.kind == "polygon") return "a polygon with " + grouped(clip.rows.size(), "corner");
-    return clip.kind == "box" ? "a box" : grouped(clip.rows.size(), "half-space");
+    if (clip.kind != "box") return grouped(clip.rows.size(), "half-space");
+    const auto corner = [](const std::vector<double>& x) {
+        std::string text;
+        for (const double c : x) text += (text.empty() ? "(" : ", ") + readable(c);
+        return text + ")";
+    };
+    return "a box from " + corner(clip.rows.front()) + " to " + corner(clip.rows.back());
 }
 
 Json summary_json(const Run_record& run) {
