@@ -79,6 +79,8 @@ Plot stages_plot(std::string title, std::string x, const Tally& t, const std::st
                 plot.x.lower = std::min(plot.x.lower.value_or(s.x[i]), s.x[i]);
                 plot.x.upper = std::max(plot.x.upper.value_or(s.x[i]), s.x[i]);
             }
+    if (plot.x.lower && plot.x.lower == plot.x.upper)  // a sentence stands in its place
+        plot.x.label = "one bin of " + plot.x.label + " around";
     return plot;
 }
 
@@ -198,13 +200,15 @@ void append_distributions(std::string& out, const std::vector<Sweep_row>& all, c
         if (ratio) plot.y = {"share below, percent", Scale::linear, 0., 100.};
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const auto found = rows[i].point->tally.histograms.find(name);
+            // A row without samples keeps its place, so that the colours of the others are the same in all plots.
+            plot.series.emplace_back();
             if (found == rows[i].point->tally.histograms.end()) continue;
             const double least = ratio ? 0 : 100 / static_cast<double>(samples(found->second));
-            plot.series.push_back(cumulative(curves[i], found->second, scale(name), least));
+            plot.series.back() = cumulative(curves[i], found->second, scale(name), least);
         }
-        std::erase_if(plot.series, [](const Series& s) { return s.x.empty(); });
+        if (std::all_of(plot.series.begin(), plot.series.end(), [](const Series& s) { return s.x.empty(); })) continue;
         give_room(plot);
-        if (!plot.series.empty()) plots.push_back(std::move(plot));
+        plots.push_back(std::move(plot));
     }
     if (rows.size() < all.size()) {
         caption += " There is room for " + grouped(rows.size()) + " of " + grouped(all.size()) +

@@ -164,7 +164,7 @@ void append_paper(std::string& out, const Degeneracy& d) {
     append_row(out, "certificates that can fail within it", grouped(v.unsound_certificates));
     append_convexity(out, d);
     out += "</table></div>\n<figcaption>What unsound means is under Terms, at the end.";
-    if (d.dimension == 2) out += " In 2D the paper's tolerance is right, so this is 0.";
+    if (d.dimension == 2) out += " In 2D the paper's tolerance is right: the first and the third number are 0.";
     out += "</figcaption>\n";
 }
 
