@@ -72,7 +72,7 @@ void append_comparison(std::string& out, const Comparison_record& comparison) {
            "compare.json; <code>ratios</code> there are of sums. " +
            (any ? "Within tolerance: the share of moves, in the " + word +
                       "s that tested tolerances; a dash where none did."
-                : "No strategy tested tolerances.") +
+                : "No strategy completed a test of tolerances in any " + word + ".") +
            "</figcaption>\n";
     append_plots(out, "Cumulative time", comparison_plots(comparison),
                  "Time for keeping the triangulation and its tolerances right, without the motion and without the "
