@@ -242,7 +242,7 @@ class Findings(tool.ToolTest):
     def test_cells_outside_of_a_clip_have_no_area_in_its_curves(self):
         places = [(x, y) for x in range(12) for y in range(12)]
         page = self.page("replay", self.lattice("k.xyz", places), "--clip", "3.1,3.2,6.3,6.4", "--voronoi")
-        curves = page.partition("The area of cells in the clipping region")[2].partition("</svg>")[0]
+        curves = page.partition("The area of cells cut to the clipping region")[2].partition("</svg>")[0]
         bottom = re.search(r'<path class="grid" d="M[\d.]+ ([\d.]+)H', curves)[1]  # the axis
         shown = re.findall(r'class="curve c\d" d="([^"]*)"', curves)
         self.assertEqual(len(shown), 3)
