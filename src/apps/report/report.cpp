@@ -28,7 +28,8 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     if (!run.input.dimension.empty()) append_row(out, "in the plane since", escaped(run.input.dimension));
     for (const auto& [what, where] : run.input.columns) append_row(out, what + " from", escaped(where));
     append_box(out, run.input.box_from, run.input.box, " at the end");
-    if (run.clip) append_row(out, "Voronoi cells clipped to", escaped(in_words(*run.clip)));
+    if (run.clip)
+        append_row(out, "Voronoi cells clipped to", "<span class=\"long\">" + escaped(in_words(*run.clip)) + "</span>");
     if (run.replayed) append_row(out, "frames", grouped(run.iterations + 1));
     else
         append_row(out, "iterations",

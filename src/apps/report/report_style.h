@@ -32,7 +32,7 @@ code{font:.86em/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",mon
 linear-gradient(270deg,var(--rule),transparent) 100% 0/12px 100% scroll;background-repeat:no-repeat}
 table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{padding:6px 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:baseline;font-weight:400}
-.numbers th{color:var(--soft)}.numbers td{text-align:right;white-space:nowrap}
+.numbers th{color:var(--soft)}.numbers td{text-align:right;white-space:nowrap}.numbers .long{white-space:normal}
 .wide th,.wide td{padding:6px 9px;text-align:right;white-space:nowrap}
 .wide{font-size:.93rem}
 .wide th:first-child{text-align:left;padding-left:0;position:sticky;left:0;background:var(--bg);white-space:normal;
