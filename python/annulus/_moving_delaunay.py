@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike
 from . import _arguments, _core
 from ._error import Error
 from ._neighbors import VoronoiQueries
+from ._no_array import NoArray
 from ._periodic import NotAvailableError, made_with_box
 from ._plot import Plots
 from ._queries import Indices
 
 
-class MovingDelaunay(VoronoiQueries, Plots):
+class MovingDelaunay(VoronoiQueries, Plots, NoArray):
     """A Delaunay triangulation that is kept right while its vertices move.
 
     With ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points at their current

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
 from ._error import Error, OpenBoundariesWarning
+from ._no_array import NoArray
 from ._periodic_gradients import PeriodicGradients
 from ._periodic_voronoi import PeriodicDiagrams
 from ._plot import Plots
@@ -31,7 +32,7 @@ class NotAvailableError(Error, NotImplementedError, AttributeError):
         super().__init__(what, code, vertices)
 
 
-class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots):
+class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
     """The Delaunay triangulation of points in a periodic box: ``MovingDelaunay(points, box=box)`` makes one.
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with

@@ -297,3 +297,21 @@ def test_moving_by_its_own_points():
     assert np.array_equal(dt.points, X)
     dt.insert(dt.points[:3] + 0.5)
     check(dt)
+
+
+@pytest.mark.parametrize("box", [None, [1, 1]], ids=["open", "periodic"])
+def test_a_triangulation_is_no_array(box):
+    dt = annulus.MovingDelaunay(X, box=box)
+    interpolate = pytest.importorskip("scipy.interpolate")
+    values = X[:, 0]
+    for wrong in (lambda: interpolate.LinearNDInterpolator(dt, values),
+                  lambda: interpolate.CloughTocher2DInterpolator(dt, values),
+                  lambda: interpolate.NearestNDInterpolator(dt, values), lambda: np.asarray(dt),
+                  lambda: np.array([dt, dt]), lambda: np.asarray(dt, dtype=float), lambda: annulus.MovingDelaunay(dt)):
+        with pytest.raises(TypeError, match=r"neither an array nor a scipy\.spatial\.Delaunay: dt\.points"):
+            wrong()
+    with pytest.raises(TypeError) as e:
+        np.asarray(dt)
+    assert ("dt.interpolate" in str(e.value)) == (box is None)
+    several = np.array([dt, dt], dtype=object)
+    assert several.shape == (2,) and several[0] is dt and np.array(dt, dtype=object)[()] is dt
