@@ -46,8 +46,7 @@ add_library(annulus-tool-apps STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:annulus-a
 set_target_properties(annulus-tool-core annulus-tool-apps PROPERTIES LINKER_LANGUAGE CXX)
 annulus_describe(annulus-tool-core PUBLIC)
 annulus_describe(annulus-tool-apps PUBLIC)
-target_link_libraries(annulus-tool-apps PUBLIC annulus-tool-core nlohmann_json::nlohmann_json ZLIB::ZLIB PNG::PNG
-                      JPEG::JPEG)
+target_link_libraries(annulus-tool-apps PUBLIC annulus-tool-core ${annulus_apps_packages})
 
 function(annulus_program target library)
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)

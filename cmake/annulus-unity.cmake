@@ -27,9 +27,9 @@ if(ANNULUS_BUILD_APPS AND NOT ANNULUS_CORE_ONLY)
     annulus_unite(annulus-apps-objects polygons "/motion/(polygon_rings_2|triangles_2)[.]cpp$")
     annulus_unite(annulus-solids solids "/(motion|formats)/[a-z_0-9]*[.]cpp$")
     annulus_unite(annulus-solids surfaces "/motion/(surface_3|[a-z]*_faults)[.]cpp$")
-    # CGAL's Mesh_3 takes a minute alone; the other files have names that occur elsewhere in their module.
+    # CGAL's Mesh_3 takes a minute alone; the others, or Netpbm's headers, have names that occur elsewhere in a module.
     foreach(alone IN ITEMS motion/initial_mesh_3 motion/nodt_3 motion/kept_cells_3 motion/stars_2 formats/read_csv
-            formats/write_frames formats/text_input formats/xyz_guess)
+            formats/read_pnm formats/write_frames formats/text_input formats/xyz_guess)
         set_source_files_properties(src/apps/${alone}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endforeach()
 endif()

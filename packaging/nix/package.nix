@@ -13,6 +13,7 @@
   libjpeg,
   libpng,
   mpfr,
+  netpbm,
   nlohmann_json,
   onetbb,
   tomlplusplus,
@@ -39,6 +40,7 @@ stdenv.mkDerivation {
     libjpeg
     libpng
     mpfr
+    netpbm
     nlohmann_json
     onetbb
     tomlplusplus

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 
 class NoArray:
-    """A triangulation, which NumPy shall not take for an array.
+    """A triangulation, which is refused where NumPy makes an array of it.
 
-    NumPy makes an array without dimensions of any object, and what takes arrays then fails far from the mistake: SciPy's
-    `LinearNDInterpolator(dt, values)`, which takes a `scipy.spatial.Delaunay`, did so with an `IndexError`. Arrays of
-    objects (``dtype=object``) hold triangulations as they hold anything.
+    NumPy makes an array without dimensions of any other object, and what takes arrays then fails far from the mistake.
+    SciPy's `LinearNDInterpolator(dt, values)`, which takes a `scipy.spatial.Delaunay`, would raise an `IndexError`.
+    Arrays of objects (``dtype=object``) hold triangulations as they hold anything.
     """
 
     def __array__(self, dtype: typing.Any = None, copy: bool | None = None) -> NDArray[typing.Any]:

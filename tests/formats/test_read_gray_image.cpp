@@ -72,7 +72,7 @@ std::string png_by_hand(std::uint32_t width, std::uint32_t height, char depth, c
 
 }  // namespace
 
-TEST_CASE("PGM of all kinds is read", "[formats][image]") {
+TEST_CASE("PBM and PGM of all kinds are read", "[formats][image]") {
     const std::string six("\0\1\2\3\4\11", 6);
     for (const std::string& content :
          {std::string("P2\n3 2\n9\n0 1 2\n3 4 9\n"), std::string("P2 # grey\n# by hand\n3\n2 9 0\n1 2 3 4 # five\n9"),
@@ -88,6 +88,13 @@ TEST_CASE("PGM of all kinds is read", "[formats][image]") {
     CHECK(deep.value == Values{258, 65534});
     CHECK(read("a.pgm.gz", gzip("P2 1 2 255 7 8")).value == Values{7, 8});
     CHECK(read("a.pgm", std::string("P5 1 1 255\n#", 12)).value == Values{'#'});
+    for (const std::string& content : {std::string("P1 3 2 100\n1 1 0"), std::string("P4 3 2 \x80\xC0", 9)}) {
+        CAPTURE(content);
+        const Gray_image image = read("a.pbm", content);  // where 1 is black
+        CHECK(image.width == 3);
+        CHECK(image.white == 1);
+        CHECK(image.value == Values{0, 1, 1, 0, 0, 1});
+    }
 }
 
 TEST_CASE("PPM is read as luma", "[formats][image]") {
@@ -100,33 +107,37 @@ TEST_CASE("PPM is read as luma", "[formats][image]") {
     const std::string four("\377\0\0\0\377\0\0\0\377\377\377\377", 12);
     CHECK(read("a.PPM", "P6 4 1 255\n" + four).value == grey);
     CHECK(read("a.ppm.gz", gzip("P6 1 1 65535\n\1\2\1\2\1\2")).value == Values{258});
-    refuse("a.ppm", "P5\n1 1\n255\na", 1, "begins with");
-    refuse("a.ppm", "P6\n1 1\n255\nab", 4, "2 bytes");
-    refuse("a.ppm", "P6\n2 1\n9\n\1\2\3\4\5\12", 4, "pixel 2 is 10");
-    refuse("a.ppm", "P3\n1 1\n9\n1 2", 3, "too short");
+    CHECK(read("a.ppm", "P5\n1 1\n255\na").value == Values{'a'});
+    CHECK(read("a.pnm", "P3 1 1 9 9 9 9").value == Values{9});
+    refuse("a.ppm", "P6\n1 1\n255\nab", 3, "2 bytes");
+    refuse("a.ppm", "P6\n2 1\n9\n\1\2\3\4\5\12", 0, "exceeds the image maxval of 9");
+    refuse("a.ppm", "P6\n1 2\n9\n\1\2\3\4\5\12", 0, "exceeds the image maxval of 9");
+    refuse("a.ppm", "P3\n1 1\n9\n1 2", 3, "4 bytes after its header");
 }
 
 TEST_CASE("PGM that is none is refused where it goes wrong", "[formats][image]") {
+    const std::string no_whole = "is no whole picture: ";  // and what Netpbm says
     refuse("a.pgm", "", 1, "empty");
-    refuse("a.pgm", "P6\n1 1\n255\nabc", 1, "begins with");
-    refuse("a.pgm", "P2\n3", 2, "the file ends");
-    refuse("a.pgm", "P2\n0 1\n9\n", 2, "the width is");
-    refuse("a.pgm", "P2\n-1 1\n9\n", 2, "the width is");
-    refuse("a.pgm", "P2\n3x 1\n9\n", 2, "the width is");
-    refuse("a.pgm", "P2\n99999999999999999999 1\n9\n", 2, "the width is");
-    refuse("a.pgm", "P2\n200000 1\n9\n", 2, "pixels");
-    refuse("a.pgm", "P2\n10000 10000\n9\n", 2, "pixels");
-    refuse("a.pgm", "P2\n1 1\n0\n0", 3, "the value of white");
-    refuse("a.pgm", "P2\n1 1\n65536\n0", 3, "the value of white");
-    refuse("a.pgm", "P2\n2 2\n9\n1 2\n3", 3, "too short");
-    refuse("a.pgm", "P2\n2 2\n9\n1  2\n3   ", 5, "the file ends");
-    refuse("a.pgm", "P2\n2 1\n9\n1\n10", 5, "a value is");
-    refuse("a.pgm", "P2\n2 1\n9\n1\n2\n3", 6, "goes on");
-    refuse("a.pgm", "P2\n8000 8000\n9\n1 2\n", 3, "too short");
-    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3", 4, "3 bytes");
-    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\4\5", 4, "5 bytes");
-    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\12", 4, "pixel 4 is 10");
-    refuse("a.pgm", "P5\n8000 8000\n65535\n\1\2", 4, "2 bytes");
+    refuse("a.pgm", "GIF89a", 1, no_whole);
+    refuse("a.pgm", "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 255\nENDHDR\na", 6, "is a PAM picture");
+    refuse("a.pgm", "P2\n3", 2, no_whole);
+    refuse("a.pgm", "P2\n0 1\n9\n", 3, no_whole);
+    refuse("a.pgm", "P2\n-1 1\n9\n", 2, no_whole);
+    refuse("a.pgm", "P2\nx3 1\n9\n", 2, no_whole);
+    refuse("a.pgm", "P2\n99999999999999999999 1\n9\n", 2, no_whole);
+    refuse("a.pgm", "P2\n200000 1\n9\n", 3, "200000 by 1 pixels");
+    refuse("a.pgm", "P2\n10000 10000\n9\n", 3, "10000 by 10000 pixels");
+    refuse("a.pgm", "P2\n1 1\n0\n0", 3, no_whole);
+    refuse("a.pgm", "P2\n1 1\n65536\n0", 3, no_whole);
+    refuse("a.pgm", "P2\n2 2\n9\n1 2\n3", 3, "6 bytes after its header");
+    refuse("a.pgm", "P2\n2 2\n9\n1  2\n3   ", 5, no_whole);
+    refuse("a.pgm", "P2\n2 1\n9\n1\n10", 5, "10 exceeds the image maxval of 9");
+    refuse("a.pgm", "P2\n2 1\n9\n1\n2\n3", 5, "goes on");
+    refuse("a.pgm", "P2\n8000 8000\n9\n1 2\n", 3, "5 bytes after its header");
+    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3", 3, "3 bytes");
+    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\4\5", 3, "5 bytes");
+    refuse("a.pgm", "P5\n2 2\n9\n\1\2\3\12", 0, "10 exceeds the image maxval of 9");
+    refuse("a.pgm", "P5\n8000 8000\n65535\n\1\2", 3, "2 bytes");
     refuse("a.gif", "P2 1 1 9 0", 0, "extension");
 }
 

@@ -70,10 +70,10 @@ function(configure status_variable)
     set(said "${said}" PARENT_SCOPE)
 endfunction()
 
-# zlib, libpng, libjpeg and JSON are not looked for: as if they were not there.
+# zlib, libpng, libjpeg, Netpbm and JSON are not looked for: as if they were not there.
 configure(status -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
           -DCMAKE_DISABLE_FIND_PACKAGE_ZLIB=ON -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON
-          -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON
+          -DCMAKE_DISABLE_FIND_PACKAGE_JPEG=ON -DCMAKE_DISABLE_FIND_PACKAGE_Netpbm=ON
           -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 if(NOT status EQUAL 0)
     message(FATAL_ERROR "the parent project does not configure:\n${said}")

@@ -112,7 +112,7 @@ class Stipples(ToolTest):
         for name in ("missing.png", "white.pgm", "short.png", "short.ppm", "short.jpg", "vast.pgm"):
             with self.subTest(name=name):
                 self.assertIn(name, self.refuse(3, "lloyd", "--points", "50", "--density", name, "--output", "none"))
-        for name in ("a.gif", "a.pnm"):
+        for name in ("a.gif", "a.pam"):
             with self.subTest(name=name):
                 self.assertIn("no picture (.png, .jpg, .pgm, .ppm)",
                               self.refuse(2, "lloyd", "--points", "50", "--density", name))

@@ -16,6 +16,7 @@ vcpkg_cmake_configure(
         -DANNULUS_BUILD_BENCH=OFF
         -DANNULUS_BUILD_EXAMPLES=OFF
         -DANNULUS_MPI=OFF
+        -DANNULUS_NETPBM=OFF  # there is no port of Netpbm
 )
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/annulus)

@@ -26,8 +26,7 @@ constexpr std::array all_names{
     Names{Format::stl, "stl", {".stl"}},
     Names{Format::mesh, "mesh", {".mesh"}},
     Names{Format::inr, "inr", {".inr"}},
-    Names{Format::pgm, "pgm", {".pgm"}},
-    Names{Format::ppm, "ppm", {".ppm"}},
+    Names{Format::pnm, "pnm", {".pgm", ".ppm", ".pbm", ".pnm"}},
     Names{Format::png, "png", {".png"}},
     Names{Format::jpeg, "jpeg", {".jpg", ".jpeg"}},
 };

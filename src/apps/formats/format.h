@@ -11,7 +11,7 @@
 namespace annulus::inline v1 {
 
 /// The format of a file.
-enum class Format { xyz, csv, lammps, npy, off, obj, ply, stl, mesh, inr, pgm, ppm, png, jpeg };
+enum class Format { xyz, csv, lammps, npy, off, obj, ply, stl, mesh, inr, pnm, png, jpeg };
 
 /// Formats of files with frames, those of them that are written, and formats of files with points.
 inline constexpr std::array frame_formats{Format::xyz, Format::csv, Format::lammps, Format::npy};
@@ -19,7 +19,7 @@ inline constexpr std::array written_formats{Format::xyz, Format::csv, Format::la
 inline constexpr std::array point_formats{Format::xyz, Format::csv, Format::lammps, Format::npy,
                                           Format::off, Format::ply, Format::mesh};
 inline constexpr std::array surface_formats{Format::off, Format::obj, Format::ply, Format::stl};
-inline constexpr std::array picture_formats{Format::png, Format::jpeg, Format::pgm, Format::ppm};
+inline constexpr std::array picture_formats{Format::png, Format::jpeg, Format::pnm};
 
 /// The format's name for --format: "xyz", "lammps".
 [[nodiscard]] std::string_view name_of(Format format);

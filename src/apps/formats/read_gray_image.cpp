@@ -15,9 +15,9 @@ bool is_gray_image(const std::filesystem::path& file) {
 
 Gray_image read_gray_image(const std::filesystem::path& file) {
     const Format format = format_of(file, picture_formats);
-    const Source source = load_file(file, most_of_a_pipe);
+    Source source = load_file(file, most_of_a_pipe);
     if (format == Format::png) return read_png(source);
-    return format == Format::jpeg ? read_jpeg(source) : read_pnm(source, format == Format::ppm);
+    return format == Format::jpeg ? read_jpeg(source) : read_pnm(std::move(source));
 }
 
 std::uint16_t luma(std::uint64_t red, std::uint64_t green, std::uint64_t blue) {

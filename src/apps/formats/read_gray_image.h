@@ -8,20 +8,21 @@
 
 namespace annulus::inline v1 {
 
-/// Whether the name is that of a picture that `read_gray_image` takes: .png, .jpg, .jpeg, .pgm or .ppm, either case,
-/// also with .gz.
+/// Whether the name is that of a picture that `read_gray_image` takes: .png, .jpg, .jpeg, .pgm, .ppm, .pbm or .pnm,
+/// either case, also with .gz.
 [[nodiscard]] bool is_gray_image(const std::filesystem::path& file);
 
-/// Reads a picture as grey values: PGM, P2 and P5, and PPM, P3 and P6, of 8 or 16 bits; PNG of any kind, by libpng:
-/// values as they are in the file, ignoring gamma; colours become their luma (ITU-R BT.709), and transparent pixels are
-/// blended with white; JPEG, grey or in colours, of 8 bits, by libjpeg, turned as its Exif orientation says.
+/// Reads a picture as grey values, as they are in the file, ignoring gamma; colours become their luma (ITU-R BT.709).
+/// PBM, PGM and PPM, P1 to P6, of up to 16 bits, by Netpbm, whichever of these the extension names, as in Netpbm's
+/// programs; PNG of any kind, by libpng, transparent pixels blended with white; JPEG, grey or in colours, of 8 bits, by
+/// libjpeg, turned as its Exif orientation says.
 ///
 /// Throws Input_error for every fault of the file. 2^26 pixels and 2^17 in a row at most. Memory is allocated when the
 /// file is long enough to hold the pixels that its header announces.
 [[nodiscard]] Gray_image read_gray_image(const std::filesystem::path& file);
 
 // One file each.
-[[nodiscard]] Gray_image read_pnm(const Source& source, bool coloured);
+[[nodiscard]] Gray_image read_pnm(Source source);
 [[nodiscard]] Gray_image read_png(const Source& source);
 [[nodiscard]] Gray_image read_jpeg(const Source& source);
 

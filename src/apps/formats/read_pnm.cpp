@@ -1,117 +1,134 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <apps/formats/printable.h>
 #include <apps/formats/read_gray_image.h>
 
-#include <charconv>
-#include <vector>
+#include <netpbm/pam.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <mutex>
 
 namespace annulus::inline v1 {
 
 namespace {
 
-/// Words between white space; # starts a comment that goes to the end of its line.
-class Tokens {
+/// Netpbm reports errors by longjmp: `header` and `pixels` construct no object between setjmp and their end. Its state
+/// is global, so only one object exists at a time.
+class Pnm {
   public:
-    explicit Tokens(const Source& source) : name_(source.name), rest_(source.content) {}
+    explicit Pnm(const Source& source)
+        : source_(source),
+          file_(fmemopen(const_cast<char*>(source.content.data()), source.content.size(), "rb"), std::fclose) {
+        if (!file_) throw std::bad_alloc();
+        pm_setusererrormsgfn(on_error);
+        pm_setusermessagefn([](const char*) {});
+        message_[0] = '\0';
+    }
+    ~Pnm() {
+        if (row_ != nullptr) pnm_freepamrow(row_);
+        pm_setjmpbuf(nullptr);
+        pm_setusererrormsgfn(nullptr);
+        pm_setusermessagefn(nullptr);
+    }
+    Pnm(const Pnm&) = delete;
+    Pnm& operator=(const Pnm&) = delete;
 
-    /// A whole number from `least` to `most`; `noun` names it in the fault.
-    std::uint64_t whole(const std::string& noun, std::uint64_t least, std::uint64_t most) {
-        const std::string_view word = next();
-        const std::string range = noun + ", from " + std::to_string(least) + " to " + std::to_string(most);
-        if (word.empty()) fail("the file ends", range);
-        std::uint64_t value = 0;
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc() || end != word.data() + word.size() || value < least || value > most)
-            fail(noun + " is " + shown(word), range);
-        return value;
+    /// Reads up to the pixels.
+    bool header() {
+        if (setjmp(jump_) != 0) return false;
+        pm_setjmpbuf(&jump_);
+        pnm_readpaminit(file_.get(), &picture_, PAM_STRUCT_SIZE(tuple_type));
+        return true;
     }
 
-    /// Empty at the end of the file.
-    std::string_view next() {
-        while (!rest_.empty() && (is_space(rest_.front()) || rest_.front() == '#')) {
-            if (rest_.front() == '#') rest_.remove_prefix(std::min(rest_.find_first_of("\n\r"), rest_.size()));
-            else take();
+    /// Reads all pixels, row by row from the top, as grey values.
+    bool pixels(std::uint16_t* to) {
+        if (setjmp(jump_) != 0) return false;
+        pm_setjmpbuf(&jump_);
+        row_ = pnm_allocpamrow(&picture_);
+        for (; rows_ < picture_.height; ++rows_) {
+            pnm_readpamrow(&picture_, row_);
+            write_row(to + std::ptrdiff_t{rows_} * picture_.width);
         }
-        std::size_t size = 0;
-        while (size < rest_.size() && !is_space(rest_[size])) ++size;
-        const std::string_view word = rest_.substr(0, size);
-        rest_.remove_prefix(size);
-        return word;
+        return true;
     }
 
-    void take() {
-        if (rest_.front() == '\n') ++line_;
-        rest_.remove_prefix(1);
+    [[nodiscard]] const pam& picture() const { return picture_; }
+    /// Whether values are text.
+    [[nodiscard]] bool is_plain() const {
+        return picture_.format == PBM_FORMAT || picture_.format == PGM_FORMAT || picture_.format == PPM_FORMAT;
     }
-    [[nodiscard]] std::string_view rest() const { return rest_; }
-    [[nodiscard]] std::uint64_t line() const { return line_; }
-    [[noreturn]] void fail(std::string fault, std::string expected) const {
-        throw Input_error(Error_code::bad_input, name_, line_, std::move(fault), std::move(expected));
+    /// The content that is not read yet.
+    [[nodiscard]] std::string_view rest() const { return std::string_view(source_.content).substr(place()); }
+
+    /// The number of bytes that hold the pixels, at least; exactly where they are binary.
+    [[nodiscard]] std::uint64_t bytes() const {
+        const auto width = static_cast<std::uint64_t>(picture_.width),
+                   height = static_cast<std::uint64_t>(picture_.height);
+        const std::uint64_t samples = width * height * picture_.depth;
+        if (is_plain()) return picture_.format == PBM_FORMAT ? samples : 2 * samples - 1;
+        return picture_.format == RPBM_FORMAT ? (width + 7) / 8 * height : samples * picture_.bytes_per_sample;
     }
+
+    /// The line of what was read last; 0 among binary values.
+    [[nodiscard]] std::uint64_t line() const {
+        if (row_ != nullptr && !is_plain()) return 0;
+        const std::string_view read = std::string_view(source_.content).substr(0, place());
+        return 1 + static_cast<std::uint64_t>(std::count(read.begin(), read.end() - (read.empty() ? 0 : 1), '\n'));
+    }
+
+    [[nodiscard]] static std::string fault() { return "is no whole picture: " + printable(message_); }
 
   private:
-    static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-    const std::string& name_;
-    std::string_view rest_;
-    std::uint64_t line_ = 1;
-};
-
-/// The samples of P2 or P3: words.
-std::vector<std::uint16_t> plain_samples(Tokens& words, std::uint64_t samples, std::uint64_t white) {
-    if (words.rest().size() < 2 * samples)
-        words.fail("is too short for " + std::to_string(samples) + " values", "a value for each pixel and channel");
-    std::vector<std::uint16_t> values;
-    values.reserve(samples);
-    for (std::uint64_t i = 0; i < samples; ++i)
-        values.push_back(static_cast<std::uint16_t>(words.whole("a value", 0, white)));
-    if (const std::string_view more = words.next(); !more.empty())
-        words.fail("goes on with " + shown(more), "one picture");
-    return values;
-}
-
-/// Those of P5 or P6: a byte each, or two where white is above 255, the higher one first. `channels` is for faults.
-std::vector<std::uint16_t> binary_samples(Tokens& words, std::uint64_t samples, std::uint64_t white,
-                                          std::uint64_t channels) {
-    const std::uint64_t bytes = white > 255 ? 2 : 1;
-    if (!words.rest().empty()) words.take();  // one white space before the values
-    const std::string_view data = words.rest();
-    if (data.size() != samples * bytes)
-        words.fail("has " + counted(data.size(), "byte") + " after its header",
-                   std::to_string(samples * bytes) + " for one picture");
-    std::vector<std::uint16_t> values;
-    values.reserve(samples);
-    for (std::uint64_t i = 0; i < samples; ++i) {
-        const auto byte = [&](std::uint64_t k) {
-            return static_cast<unsigned>(static_cast<unsigned char>(data[bytes * i + k]));
-        };
-        const unsigned value = bytes == 1 ? byte(0) : 256 * byte(0) + byte(1);
-        if (value > white)
-            words.fail("pixel " + std::to_string(i / channels + 1) + " is " + std::to_string(value),
-                       "a value up to " + std::to_string(white));
-        values.push_back(static_cast<std::uint16_t>(value));
+    void write_row(std::uint16_t* to) const {
+        for (int i = 0; i < picture_.width; ++i)
+            to[i] =
+                picture_.depth == 3 ? luma(row_[i][0], row_[i][1], row_[i][2]) : static_cast<std::uint16_t>(row_[i][0]);
     }
-    return values;
-}
+    [[nodiscard]] std::size_t place() const { return static_cast<std::size_t>(std::ftell(file_.get())); }
+    static void on_error(const char* message) { std::snprintf(message_, sizeof message_, "%s", message); }
+
+    static inline char message_[200];
+    static inline std::mutex only_one_;
+
+    std::lock_guard<std::mutex> lock_{only_one_};
+    const Source& source_;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    pam picture_{};
+    tuple* row_ = nullptr;
+    int rows_ = 0;
+    std::jmp_buf jump_;
+};
 
 }  // namespace
 
-Gray_image read_pnm(const Source& source, bool coloured) {
-    Tokens words(source);
-    const std::string plain = coloured ? "P3" : "P2", binary = coloured ? "P6" : "P5";
-    const std::string_view magic = words.next();
-    if (magic != plain && magic != binary) words.fail("begins with " + shown(magic), plain + " or " + binary);
-    constexpr std::uint64_t most = std::uint64_t{1} << 32;
-    const std::uint64_t width = words.whole("the width", 1, most), height = words.whole("the height", 1, most);
+Gray_image read_pnm(Source source) {
+    // Netpbm reads the character after each number, so a line end has to follow the last one, too.
+    if (source.content.starts_with("P1") || source.content.starts_with("P2") || source.content.starts_with("P3"))
+        source.content += '\n';
+    Pnm pnm(source);
+    const auto fail = [&](std::string fault, std::string expected) {
+        throw Input_error(Error_code::bad_input, source.name, pnm.line(), std::move(fault), std::move(expected));
+    };
+    const std::string any = "a PBM, PGM or PPM picture, P1 to P6";
+    if (!pnm.header()) fail(Pnm::fault(), any);
+    const pam& picture = pnm.picture();
+    if (picture.format == PAM_FORMAT) fail("is a PAM picture, P7", any);
     Gray_image image;
-    set_size(image, width, height, source.name, words.line());
-    image.white = static_cast<std::uint16_t>(words.whole("the value of white", 1, 65535));
-    const std::uint64_t channels = coloured ? 3 : 1, samples = width * height * channels;
-    image.value = magic == plain ? plain_samples(words, samples, image.white)
-                                 : binary_samples(words, samples, image.white, channels);
-    if (!coloured) return image;
-    for (std::uint64_t i = 0; i < width * height; ++i)
-        image.value[i] = luma(image.value[3 * i], image.value[3 * i + 1], image.value[3 * i + 2]);
-    image.value.resize(width * height);
+    set_size(image, static_cast<std::uint64_t>(picture.width), static_cast<std::uint64_t>(picture.height), source.name,
+             pnm.line());
+    const std::size_t left = pnm.rest().size();
+    if (left < pnm.bytes() || (!pnm.is_plain() && left > pnm.bytes()))
+        fail("has " + counted(left, "byte") + " after its header",
+             std::to_string(pnm.bytes()) + (pnm.is_plain() ? " at least for its values" : " for one picture"));
+    image.white = static_cast<std::uint16_t>(picture.maxval);
+    image.value.resize(image.width * image.height);
+    if (!pnm.pixels(image.value.data()))
+        fail(Pnm::fault(), "a value from 0 to " + std::to_string(picture.maxval) + " for each pixel and channel");
+    if (const std::size_t more = pnm.rest().find_first_not_of(" \t\n\v\f\r"); more != std::string_view::npos)
+        fail("goes on after its picture", "one picture");
     return image;
 }
 

@@ -29,6 +29,7 @@ class Annulus(CMakePackage):
         depends_on("zlib-api", when=apps)
         depends_on("libpng", when=apps)
         depends_on("jpeg", when=apps)
+        depends_on("netpbm", when=apps)
         depends_on("nlohmann-json@3.11:", when=apps)
     depends_on("cli11@2.1:", when="+tool")
     depends_on("tomlplusplus@3.3:", when="+tool")
