@@ -59,8 +59,8 @@ def replayed(here, frames, box, least):
     return counts
 
 
-@pytest.mark.parametrize("a", [1, 3.615])  # binary, so that atoms are where they should be; and that of copper
-@pytest.mark.parametrize("name", CRYSTALS)
+# Binary, so that atoms are where they should be; and that of copper
+@pytest.mark.parametrize(("name", "a"), [*((name, 1) for name in CRYSTALS), ("fcc", 3.615)])
 def test_neighbours_by_area_at_rest_vibrating_and_after_drifting_around_the_box(name, a, tmp_path):
     basis, neighbours, area = CRYSTALS[name]
     least = LEAST * area * a**2

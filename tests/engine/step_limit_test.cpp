@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE_SIG("No step of auto costs more than one and a half rebuilds 
         std::string_view family, motion;
         double spacings;
         double most = 1.5;
-        std::uint64_t seeds = 3;
+        std::uint64_t seeds = 2;
     };
     // clang-format off
     const std::vector<Case> in_2d{
@@ -81,6 +81,7 @@ TEMPLATE_TEST_CASE_SIG("Tolerances are recomputed in slices, and the steps meanw
     constexpr std::size_t n = d == 2 ? 2000 : 1000;
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
         for (const int threads : {1, 3}) {
+            if (threads > 1 && seed > 1) continue;
             CAPTURE(seed, threads);
             Options options;
             options.threads = threads;

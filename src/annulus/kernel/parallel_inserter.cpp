@@ -72,18 +72,18 @@ void Parallel_inserter<d>::start_in(std::size_t k, const Inserter<d>& alone, std
 template <int d>
 void Parallel_inserter<d>::insert_in_partition(std::size_t k) {
     using Outcome = typename Inserter<d>::Outcome;
-    constexpr Cell no_cell = Inserter<d>::Cells::no_cell;
     Part& part = parts_[k];
     if (!part.has_start) return;
     const auto& starts = part.starts;
     Inserter<d>& inserter = inserters_[k];
-    inserter.start_at(*std::find_if(starts.begin(), starts.end(), [](Cell c) { return c != no_cell; }));
+    const auto is_cell = [](Cell c) { return c != Inserter<d>::Cells::no_cell; };
+    inserter.start_at(*std::find_if(starts.begin(), starts.end(), is_cell));
     std::size_t postponed = 0;
     bool helps = false;
     for (std::size_t i = 0; i < part.pending.size(); ++i) {
         const Rank v = part.pending[i];
         const Cell start = starts[i / stretch];
-        if (i % stretch == 0) helps = start != no_cell;
+        if (i % stretch == 0) helps = start != Inserter<d>::Cells::no_cell;
         Outcome outcome = inserter.insert_in_partition(v);
         if (outcome == Outcome::lost && helps) {
             inserter.start_at(start);

@@ -105,17 +105,21 @@ class Pnm {
 }  // namespace
 
 Gray_image read_pnm(Source source) {
+    const auto fail_at = [&](std::uint64_t line, std::string fault, std::string expected) {
+        throw Input_error(Error_code::bad_input, source.name, line, std::move(fault), std::move(expected));
+    };
+    const std::string any = "a PBM, PGM or PPM picture, P1 to P6";
+    // Netpbm leaks what it has read of a header of PAM that is none.
+    if (source.content.starts_with("P7")) fail_at(1, "is a PAM picture, P7", any);
     // Netpbm reads the character after each number, so a line end has to follow the last one, too.
     if (source.content.starts_with("P1") || source.content.starts_with("P2") || source.content.starts_with("P3"))
         source.content += '\n';
     Pnm pnm(source);
     const auto fail = [&](std::string fault, std::string expected) {
-        throw Input_error(Error_code::bad_input, source.name, pnm.line(), std::move(fault), std::move(expected));
+        fail_at(pnm.line(), std::move(fault), std::move(expected));
     };
-    const std::string any = "a PBM, PGM or PPM picture, P1 to P6";
     if (!pnm.header()) fail(Pnm::fault(), any);
     const pam& picture = pnm.picture();
-    if (picture.format == PAM_FORMAT) fail("is a PAM picture, P7", any);
     Gray_image image;
     set_size(image, static_cast<std::uint64_t>(picture.width), static_cast<std::uint64_t>(picture.height), source.name,
              pnm.line());
