@@ -461,6 +461,20 @@ module annulus_c
             integer(c_int32_t), intent(inout), optional :: first(*), second(*), shifts(*)
             integer(c_size_t), intent(inout) :: count
         end function
+        integer(c_int) function annulus_periodic_changed(mesh, capacity, vertices, offsets, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*), offsets(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
+        integer(c_int) function annulus_periodic_gone(mesh, capacity, vertices, offsets, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: vertices(*), offsets(*)
+            integer(c_size_t), intent(inout) :: count
+        end function
         integer(c_int) function annulus_periodic_audit(mesh, result) bind(c)
             import
             type(c_ptr), value :: mesh

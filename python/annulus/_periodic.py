@@ -49,7 +49,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
     threads : int, optional
         Number of threads of builds, and of steps that test all signs. Results do not depend on it.
     report_changes : bool, optional
-        Whether calls list the pairs of neighbours that they make and break: `pairs_made`, `pairs_broken`. Off by
+        Whether calls list the pairs of neighbours that they make and break (`pairs_made`, `pairs_broken`) and the
+        simplices that they create and remove (`changed_simplices`, `removed_simplices`). Off by
         default, also in `MovingDelaunay` with a box: a call that lists them copies arrays, O(n).
     strategy : {'auto', 'signs', 'tolerances'}, optional
         What a `move` tests: all signs, or only certificates of points that have left their tolerances, which are those
@@ -278,6 +279,22 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
     def pairs_broken(self) -> tuple[Indices, Indices, Indices]:
         """tuple of ndarrays, i, j and S: the pairs that the same call broke, by points and box before it."""
         return self._mesh.pairs(False)
+
+    @property
+    def changed_simplices(self) -> tuple[Indices, Indices]:
+        """tuple of ndarrays, vertices (k, d + 1) and offsets (k, d + 1, d), int32: the simplices that the last call of
+        `move`, `insert` or `remove` created. They are positively oriented, as `simplices`, but each is written in one
+        way only: corners ascend by (vertex, offset), the last two exchanged where that makes the simplex positive, and
+        the least offset is 0 in each direction. Simplices ascend. Points that are given as other images change nothing,
+        nor does a box in another basis of its lattice. Raises an `Error` with the code ``usage`` without
+        `report_changes`."""
+        return self._mesh.changed_cells(True)
+
+    @property
+    def removed_simplices(self) -> tuple[Indices, Indices]:
+        """tuple of ndarrays, vertices and offsets: the simplices that the same call removed, by points and box before
+        it. A simplex that was turned over is in both lists, with its vertices in another order."""
+        return self._mesh.changed_cells(False)
 
     def neighbor_counts(self, min_area: float = 0.0, strict: bool = True) -> Indices:
         """The number of neighbours of each point.

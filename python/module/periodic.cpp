@@ -159,11 +159,18 @@ class Periodic {
     /// The pairs that the last call made, or broke: first, second, shift.
     py::tuple pairs(bool made) const {
         Periodic_pairs<d> p = locked([&] {
-            if (!mesh_.options().report_changes)
-                throw Error(Error_code::usage, "the object was made without report_changes=True");
-            return made ? mesh_.changes().made : mesh_.changes().broken;
+            return made ? changes().made : changes().broken;
         });
         return py::make_tuple(give(std::move(p.first)), give(std::move(p.second)), give_rows(std::move(p.shift)));
+    }
+    /// The cells that the last call created, or removed: vertices, offsets.
+    py::tuple changed_cells(bool created) const {
+        Periodic_cell_list<d> c = locked([&] { return created ? changes().changed : changes().gone; });
+        std::vector<std::int32_t> offsets;
+        for (const auto& cell : c.offsets)
+            for (const Shift<d>& s : cell) offsets.insert(offsets.end(), s.begin(), s.end());
+        const auto m = static_cast<py::ssize_t>(c.offsets.size());
+        return py::make_tuple(give_rows(std::move(c.vertices)), give(std::move(offsets), {m, d + 1, d}));
     }
     py::array neighbour_counts(double least, bool strict) const {
         return give(locked([&] { return mesh_.neighbour_counts(least, strict); }));
@@ -222,6 +229,11 @@ class Periodic {
         const Without_gil without_gil;
         return Periodic_mesh<d>(saved, options);
     }
+    [[nodiscard]] const Periodic_changes<d>& changes() const {
+        if (!mesh_.options().report_changes)
+            throw Error(Error_code::usage, "the object was made without report_changes=True");
+        return mesh_.changes();
+    }
     static Report report(Move_result result) { return Report(std::move(result), d, false); }
     template <class Call>
     auto locked(Call call) const {
@@ -257,6 +269,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("neighbours", &P::neighbours)
         .def("find_simplex", &P::find_simplex)
         .def("pairs", &P::pairs)
+        .def("changed_cells", &P::changed_cells)
         .def("neighbour_counts", &P::neighbour_counts)
         .def("voronoi", &P::voronoi)
         .def("voronoi_volumes", &P::voronoi_volumes)

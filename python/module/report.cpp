@@ -159,8 +159,8 @@ void Report::require_lists() const {
     if (!lists_changes_)
         throw Error(
             Error_code::usage,
-            "simplices and edges that changed are listed with report_changes=True only, and not with a periodic "
-            "box");
+            "simplices and edges that changed are listed with report_changes=True only, with a periodic box by the "
+            "object and not by the result");
 }
 
 py::object Report::listed(const std::vector<Index>& vertices) const {

@@ -79,7 +79,7 @@ def test_moves_change_points_and_box_and_failed_ones_change_nothing():
     shaken = dt.move(x @ np.diag([1, 1, -1]))
     assert (shaken.asked, shaken.rebuilt) == (50, 50)
     result = dt.move(x + 0.7)
-    with pytest.raises(annulus.Error, match="not with a periodic box") as caught:
+    with pytest.raises(annulus.Error, match="with a periodic box") as caught:
         result.changed_simplices
     assert caught.value.code == "usage" and pickle.loads(pickle.dumps(result)).asked == 50
     assert np.allclose(dt.points, x + 0.7)
@@ -261,6 +261,44 @@ def test_find_simplex_names_the_image_that_contains_the_point():
     with pytest.raises(annulus.Error) as caught:
         dt.find_simplex([[0, 0, 0], [0, np.inf, 0]])
     assert (caught.value.code, caught.value.vertices) == ("not_finite", (1,))
+
+
+def cells_by_name(simplices, offsets):
+    """Each as its corners, the least vertex at offset 0, of several of these the least form."""
+    names = set()
+    for v, o in zip(simplices.tolist(), offsets.astype(int)):
+        names.add(min(tuple(sorted((w, *p) for w, p in zip(v, (o - o[k]).tolist())))
+                      for k in range(len(v)) if v[k] == min(v)))
+    assert len(names) == len(simplices)
+    return names
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_simplices_that_a_call_creates_and_removes(d):
+    rng = np.random.default_rng(14)
+    x = rng.random((80, d)) * 0.98 + 0.01
+    dt = annulus.MovingDelaunay(x, box=np.ones(d), report_changes=True)
+    assert [len(a) for a in (*dt.changed_simplices, *dt.removed_simplices)] == [0] * 4
+    changed = 0
+    for call in [*[lambda: dt.move(np.clip(dt.points + 0.02 * rng.standard_normal(x.shape), 0.001, 0.999))] * 4,
+                 lambda: dt.insert(rng.random((3, d))), lambda: dt.remove([2, 81])]:
+        before = cells_by_name(dt.simplices, dt.simplex_offsets)
+        call()
+        after = cells_by_name(dt.simplices, dt.simplex_offsets)
+        simplices, offsets = dt.changed_simplices
+        assert simplices.dtype == offsets.dtype == np.int32 and offsets.shape == (len(simplices), d + 1, d)
+        created, removed = cells_by_name(simplices, offsets), cells_by_name(*dt.removed_simplices)
+        turned = created & removed  # over
+        assert created - turned == after - before and removed - turned == before - after
+        corners = dt.points[simplices] + offsets
+        assert np.all(np.linalg.det(corners[:, 1:] - corners[:, :1]) > 0)
+        changed += len(created)
+    assert changed > 0
+    assert len(pickle.loads(pickle.dumps(dt)).changed_simplices[0]) == 0
+    for name in ("changed_simplices", "removed_simplices"):
+        with pytest.raises(annulus.Error, match="report_changes") as caught:
+            getattr(annulus.MovingDelaunay(x, box=np.ones(d)), name)
+        assert caught.value.code == "usage"
 
 
 def test_pairs_that_a_call_makes_and_breaks():

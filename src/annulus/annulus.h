@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 6
+#define ANNULUS_INTERFACE 7
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -389,7 +389,7 @@ ANNULUS_API size_t annulus_periodic_error_vertices(const annulus_periodic* mesh,
 
 // Moves every vertex; points at free indices are not read. `points` must be annulus_periodic_index_bound. box: NULL
 // leaves the box as it was given. Tests signs and flips, or builds where that costs less: O(n) or O(n log n).
-// report: optional; `changed` is 0.
+// report: optional; `changed` is the number of cells that annulus_periodic_changed lists, 0 without report_changes.
 // Errors: those of annulus_periodic_create, and WRONG_SIZE.
 ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const double* coordinates,
                                           const double* box, annulus_report* report);
@@ -472,6 +472,16 @@ ANNULUS_API int annulus_periodic_pairs_made(const annulus_periodic* mesh, size_t
                                             int32_t* second, int32_t* shifts, size_t* count);
 ANNULUS_API int annulus_periodic_pairs_broken(const annulus_periodic* mesh, size_t capacity, int32_t* first,
                                               int32_t* second, int32_t* shifts, size_t* count);
+
+// With the same option: the cells that the same call created, and those that it removed, by the points and the box
+// before it. dimension + 1 vertices and as many offsets each, positively oriented, as in annulus_periodic_cells, but
+// in this order: corners ascend by (vertex, offset), the last two exchanged where that makes the cell positive; cells
+// ascend. A cell that was turned over is in both. One of the arrays may be NULL.
+// Errors: WRONG_SIZE; USAGE without that option.
+ANNULUS_API int annulus_periodic_changed(const annulus_periodic* mesh, size_t capacity, int32_t* vertices,
+                                         int32_t* offsets, size_t* count);
+ANNULUS_API int annulus_periodic_gone(const annulus_periodic* mesh, size_t capacity, int32_t* vertices,
+                                      int32_t* offsets, size_t* count);
 
 // As annulus_audit, of the cells for the points and the box as they are returned.
 ANNULUS_API int annulus_periodic_audit(const annulus_periodic* mesh, annulus_audit_result* result);

@@ -33,6 +33,16 @@ Periodic_pairs<d> listed(const std::vector<Image_pair<d>>& pairs) {
     return list;
 }
 
+template <int d>
+Periodic_cell_list<d> listed(const std::vector<Image_cell<d>>& cells) {
+    Periodic_cell_list<d> list;
+    for (const Image_cell<d>& cell : cells) {
+        list.vertices.push_back(cell.vertices);
+        list.offsets.push_back(cell.offsets);
+    }
+    return list;
+}
+
 }  // namespace
 
 template <int d>
@@ -77,8 +87,8 @@ struct Periodic_mesh<d>::Parts {
         Periodic_state<d> before = state;
         try {
             auto result = call();
-            const Image_pair_changes<d> pairs = periodic_changes(before, state);
-            changes = {listed(pairs.made), listed(pairs.broken)};
+            const Image_changes<d> all = periodic_changes(before, state);
+            changes = {listed(all.made), listed(all.broken), listed(all.changed), listed(all.gone)};
             return result;
         } catch (...) {
             state = std::move(before);

@@ -8,6 +8,7 @@
 #include <annulus/types.h>
 #include <annulus/voronoi.h>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -18,7 +19,7 @@ namespace annulus::inline v1 {
 /// What a caller can choose of a periodic mesh.
 struct Periodic_options {
     int threads = 1;              ///< 1 or more, else Error(usage); results do not depend on it
-    bool report_changes = false;  ///< whether calls list the pairs that they make and break (Periodic_mesh::changes)
+    bool report_changes = false;  ///< whether calls list the pairs and cells that they change (Periodic_mesh::changes)
     Periodic_strategy strategy = Periodic_strategy::automatic;  ///< of moves; the triangulation does not depend on it
 };
 
@@ -29,12 +30,22 @@ struct Periodic_pairs {
     std::vector<Index> first, second;
     std::vector<Shift<d>> shift;
 };
-/// The pairs that a call made and broke. Facets of the triangulation count, also those that are exactly empty
-/// (Periodic_neighbours).
+/// Cells, positively oriented: corner k of cell c is at points[vertices[c][k]] + offsets[c][k] . box. Each is written
+/// in one way only, so that lists can be compared: its corners ascend by (vertex, offset), the last two exchanged where
+/// that makes the cell positive, and its least offset is 0 in each direction. Ascending.
+template <int d>
+struct Periodic_cell_list {
+    std::vector<std::array<Index, static_cast<std::size_t>(d + 1)>> vertices;
+    std::vector<std::array<Shift<d>, static_cast<std::size_t>(d + 1)>> offsets;
+};
+/// What a call changed. Facets of the triangulation count, also those that are exactly empty (Periodic_neighbours). A
+/// cell that was turned over is in both lists of cells.
 template <int d>
 struct Periodic_changes {
-    Periodic_pairs<d> made;    ///< shifts are between points() and by box() after the call
-    Periodic_pairs<d> broken;  ///< and before it
+    Periodic_pairs<d> made;         ///< pairs that are new; shifts are between points() and by box() after the call
+    Periodic_pairs<d> broken;       ///< pairs that are no longer there, by points and box before it
+    Periodic_cell_list<d> changed;  ///< cells that are new, by points and box after the call
+    Periodic_cell_list<d> gone;     ///< cells that are no longer there, by points and box before it
 };
 
 /// What a periodic mesh is made of, exactly: a mesh made of it is the same, bit for bit, wherever its points are.
@@ -174,8 +185,9 @@ class Periodic_mesh {
     /// With options().report_changes: what the last call of move_all, insert or remove changed; nothing before the
     /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:
     /// a pair stays where each point moves to the image nearest to where the affine map of the boxes takes it. (Where a
-    /// box changes by half and more, so that no unimodular matrix relates the two, every pair is broken, and made.)
-    /// Such a call copies arrays, O(n), and sorts the edges of cells that have changed. Valid as long as points().
+    /// box changes by half and more, so that no unimodular matrix relates the two, every pair is broken, and made, and
+    /// so are cells.) Such a call copies arrays, O(n), and sorts the edges of cells that have changed. Valid as long as
+    /// points().
     [[nodiscard]] const Periodic_changes<d>& changes() const;
 
     /// Exact audit of the cells, for places() and box(); see audit.h. O(n).

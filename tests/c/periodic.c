@@ -125,6 +125,9 @@ static void check_crystal(void) {
     CHECK_STATUS(annulus_periodic_pairs_made(mesh, 0, NULL, NULL, NULL, &made), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_pairs_broken(mesh, 0, NULL, NULL, NULL, &broken), ANNULUS_OK);
     CHECK(made == 0 && broken == 0);
+    CHECK_STATUS(annulus_periodic_changed(mesh, 0, NULL, NULL, &made), ANNULUS_OK);
+    CHECK_STATUS(annulus_periodic_gone(mesh, 0, NULL, NULL, &broken), ANNULUS_OK);
+    CHECK(made == 0 && broken == 0);
     annulus_periodic_destroy(&mesh);
     CHECK(mesh == NULL);
     annulus_periodic_destroy(&mesh);
@@ -138,8 +141,8 @@ static void check_coming_and_going(int d) {
     const int32_t some[3] = {1, 20, 7};
     uint64_t seed = 5;
     double x[3 * 40];
-    int32_t indices[40], first[most], second[most];
-    size_t count = 0, bound = 0, made = 0, broken = 0;
+    int32_t indices[40], first[most], second[most], vertices[4 * most], offsets[12 * most];
+    size_t count = 0, bound = 0, made = 0, broken = 0, cells = 0;
     annulus_periodic* mesh = mesh_of(d, 0, NULL, box);
     for (int k = 0; k < 40 * d; ++k) x[k] = 4 * uniform(&seed) - 2;
     CHECK(is_delaunay(mesh));
@@ -160,6 +163,18 @@ static void check_coming_and_going(int d) {
     CHECK_STATUS(annulus_periodic_remove(mesh, 1, indices), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_pairs_broken(mesh, 0, NULL, NULL, NULL, &broken), ANNULUS_OK);
     CHECK(broken == made);
+    CHECK_STATUS(annulus_periodic_gone(mesh, 0, NULL, NULL, &cells), ANNULUS_OK);
+    CHECK(cells > 0 && cells <= most);
+    CHECK_STATUS(annulus_periodic_gone(mesh, cells, vertices, offsets, &cells), ANNULUS_OK);
+    for (size_t c = 0; c < cells; ++c) {  // all of them had the vertex, each as its least or a later corner
+        int has = 0;
+        for (size_t i = 0; i <= (size_t)d; ++i) has = has || vertices[((size_t)d + 1) * c + i] == 7;
+        CHECK(has);
+    }
+    CHECK_STATUS(annulus_periodic_gone(mesh, cells, NULL, NULL, &cells), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_periodic_gone(mesh, cells - 1, vertices, NULL, &cells), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_periodic_changed(mesh, most, vertices, offsets, &count), ANNULUS_OK);
+    if (d == 2) CHECK(cells == count + 2);
     CHECK_STATUS(annulus_periodic_pairs_broken(mesh, broken - 1, first, NULL, NULL, &broken), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_insert(mesh, 5, x + 30 * d, indices), ANNULUS_OK);
     CHECK(indices[0] == 7 && indices[1] == 20 && indices[2] == 1 && indices[3] == 30 && indices[4] == 31);
@@ -168,9 +183,8 @@ static void check_coming_and_going(int d) {
     CHECK(is_delaunay(mesh));
 
     // A vertex is a corner of the cell that contains it, and the middle of the box is in one.
-    int32_t found[2] = {-9, -9}, moved[6] = {0}, vertices[4 * most];
+    int32_t found[2] = {-9, -9}, moved[6] = {0};
     double two[6];
-    size_t cells = 0;
     int corner = 0;
     memcpy(two, x + 3 * d, (size_t)d * sizeof *x);
     for (int c = 0; c < d; ++c) two[d + c] = c == 0 ? NAN : 0;
@@ -245,6 +259,8 @@ static void check_refusals(void) {
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_pairs_made(mesh, 0, NULL, NULL, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_periodic_pairs_broken(mesh, 0, NULL, NULL, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_periodic_changed(mesh, 0, NULL, NULL, &count), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_periodic_gone(mesh, 0, NULL, NULL, &count), ANNULUS_USAGE);
     CHECK_STATUS(annulus_periodic_move_all(mesh, 4, NULL, NULL, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_periodic_move_all(mesh, 4, copper, NULL, &no_size), ANNULUS_USAGE);
     CHECK_STATUS(annulus_periodic_move_all(mesh, 4, copper, flat, NULL), ANNULUS_USAGE);

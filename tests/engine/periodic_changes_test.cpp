@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Periodic_mesh::changes: the pairs made and broken, by neighbour lists before and after, whatever images and bases.
+// Periodic_mesh::changes: the pairs made and broken, by neighbour lists before and after, and the cells, whatever
+// images and bases.
 #include <annulus/error.h>
 #include <annulus/periodic_mesh.h>
 
@@ -13,6 +14,7 @@
 #include <set>
 #include <span>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 using namespace annulus;
@@ -56,6 +58,54 @@ Pairs<d> set_of(const Periodic_pairs<d>& list) {
     return pairs;
 }
 
+/// A cell as a set of corners, which are at these offsets from one of them, and the sign of their order; of all ways to
+/// say this the least.
+template <int d>
+using Cell = std::tuple<std::vector<std::pair<Index, Shift<d>>>, bool>;
+template <int d>
+using Cells = std::set<Cell<d>>;
+
+template <int d, class Vertices, class Offsets>
+Cell<d> cell_of(const Vertices& vertices, const Offsets& offsets) {
+    Cell<d> least;
+    for (std::size_t base = 0; base <= d; ++base) {
+        Cell<d> cell;
+        auto& [corners, is_odd] = cell;
+        is_odd = false;
+        for (std::size_t i = 0; i <= d; ++i) {
+            Shift<d> s = offsets[i];
+            for (std::size_t c = 0; c < d; ++c) s[c] -= offsets[base][c];
+            corners.emplace_back(vertices[i], s);
+        }
+        for (std::size_t i = 0; i <= d; ++i)  // insertion sort
+            for (std::size_t j = i; j > 0 && corners[j] < corners[j - 1]; --j) {
+                std::swap(corners[j], corners[j - 1]);
+                is_odd = !is_odd;
+            }
+        if (base == 0 || cell < least) least = cell;
+    }
+    return least;
+}
+
+template <int d, class List>
+Cells<d> cells_in(const List& list) {
+    Cells<d> cells;
+    REQUIRE(list.vertices.size() == list.offsets.size());
+    for (std::size_t c = 0; c < list.vertices.size(); ++c) {
+        if constexpr (!requires { list.neighbours; })  // ascending, and the least offset is 0
+            if (c > 0)
+                CHECK(std::tie(list.vertices[c - 1], list.offsets[c - 1]) <
+                      std::tie(list.vertices[c], list.offsets[c]));
+        for (std::size_t k = 0; k < d; ++k) {
+            std::int32_t lowest = list.offsets[c][0][k];
+            for (const auto& o : list.offsets[c]) lowest = std::min(lowest, o[k]);
+            CHECK(lowest == 0);
+        }
+        CHECK(cells.insert(cell_of<d>(list.vertices[c], list.offsets[c])).second);
+    }
+    return cells;
+}
+
 /// A pair in the basis that has b_1 - sign * b_0 for b_1, where point v is given as its image turns[v] of that.
 template <int d>
 Pair<d> renamed(Pair<d> pair, int sign, const std::vector<Shift<d>>& turns) {
@@ -67,9 +117,54 @@ Pair<d> renamed(Pair<d> pair, int sign, const std::vector<Shift<d>>& turns) {
     return {i, j, s};
 }
 
+/// The same of a cell.
 template <int d>
-void expect_changes(const Periodic_mesh<d>& mesh, const Pairs<d>& before, int sign,
-                    const std::vector<Shift<d>>& turns) {
+Cell<d> renamed(Cell<d> cell, int sign, const std::vector<Shift<d>>& turns) {
+    auto& [corners, is_odd] = cell;
+    std::vector<Index> vertices;
+    std::vector<Shift<d>> offsets;
+    for (auto [v, s] : corners) {
+        s[0] += sign * s[1];
+        for (std::size_t c = 0; c < d; ++c) s[c] -= turns[static_cast<std::size_t>(v)][c];
+        vertices.push_back(v);
+        offsets.push_back(s);
+    }
+    Cell<d> name = cell_of<d>(vertices, offsets);
+    std::get<bool>(name) ^= is_odd;
+    return name;
+}
+
+/// Pairs and cells, to be compared with those after a call.
+template <int d>
+struct Seen {
+    Pairs<d> pairs;
+    Cells<d> cells;
+};
+template <int d>
+Seen<d> seen(const Periodic_mesh<d>& mesh) {
+    return {pairs_of(mesh), cells_in<d>(mesh.cells())};
+}
+
+template <int d>
+void expect_cell_changes(const Periodic_mesh<d>& mesh, const Cells<d>& before, int sign,
+                         const std::vector<Shift<d>>& turns) {
+    const Cells<d> after = cells_in<d>(mesh.cells());
+    Cells<d> names, gone, changed;
+    for (const Cell<d>& cell : before) {
+        const Cell<d> name = renamed<d>(cell, sign, turns);
+        names.insert(name);
+        if (!after.contains(name)) gone.insert(cell);
+    }
+    for (const Cell<d>& cell : after)
+        if (!names.contains(cell)) changed.insert(cell);
+    CHECK(cells_in<d>(mesh.changes().changed) == changed);
+    CHECK(cells_in<d>(mesh.changes().gone) == gone);
+}
+
+template <int d>
+void expect_changes(const Periodic_mesh<d>& mesh, const Seen<d>& seen, int sign, const std::vector<Shift<d>>& turns) {
+    expect_cell_changes(mesh, seen.cells, sign, turns);
+    const Pairs<d>& before = seen.pairs;
     const Pairs<d> after = pairs_of(mesh);
     Pairs<d> names, broken, made;
     for (const Pair<d>& p : before) {
@@ -104,7 +199,7 @@ void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
     CHECK((mesh.changes().made.first.empty() && mesh.changes().broken.first.empty()));
     for (int step = 0; step < 9; ++step) {
         CAPTURE(step);
-        const Pairs<d> before = pairs_of(mesh);
+        const Seen<d> before = seen(mesh);
         const int sign = step % 3 != 2 ? 0 : step % 2 == 0 ? 1 : -1;
         const double reach = step == 0 ? 0 : step % 4 == 3 ? 0.2 : 0.01;
         for (auto& v : vectors)
@@ -122,17 +217,20 @@ void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
         put();
         mesh.move_all(x, Box<d>(vectors));
         expect_changes(mesh, before, sign, turns);
-        if (step == 0) CHECK((mesh.changes().made.first.empty() && mesh.changes().broken.first.empty()));
+        if (step == 0) {
+            CHECK((mesh.changes().made.first.empty() && mesh.changes().broken.first.empty()));
+            CHECK((mesh.changes().changed.vertices.empty() && mesh.changes().gone.vertices.empty()));
+        }
     }
     const std::vector<Shift<d>> still(n + 5);
     for (int step = 0; step < 4; ++step) {
-        Pairs<d> before = pairs_of(mesh);
+        Seen<d> before = seen(mesh);
         const auto indices = mesh.insert(cases.points<d>(mesh.box(), static_cast<std::size_t>(step + 1)));
         expect_changes(mesh, before, 0, still);
-        before = pairs_of(mesh);
+        before = seen(mesh);
         mesh.remove(std::span(indices).first(1));
         expect_changes(mesh, before, 0, still);
-        before = pairs_of(mesh);
+        before = seen(mesh);
         mesh.remove(std::span(indices).subspan(1));
         expect_changes(mesh, before, 0, still);
     }
@@ -140,7 +238,7 @@ void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("The pairs that a call makes and breaks in a box, whatever images and bases are given", "[periodic]") {
+TEST_CASE("The pairs and cells that a call changes in a box, whatever images and bases are given", "[periodic]") {
     for (const int kind : {0, 1, 4, 5, 7, 9})
         for (int k = 0; k < repeats(1); ++k)
             for (const std::size_t n : {1U, 3U, 40U}) {
@@ -149,14 +247,28 @@ TEST_CASE("The pairs that a call makes and breaks in a box, whatever images and 
             }
 }
 
-TEST_CASE("A box of another lattice breaks every pair and makes every one", "[periodic]") {
+TEST_CASE("A box of another lattice breaks every pair and cell, and makes every one", "[periodic]") {
     Periodic_cases cases(2);
     const auto x = cases.points<2>(cases.box<2>(0), 20);
     Periodic_mesh<2> mesh(x, Box<2>::orthorhombic({1, 1}), {.report_changes = true});
-    const auto before = pairs_of(mesh);
+    const Seen<2> before = seen(mesh);
     mesh.move_all(x, Box<2>::orthorhombic({3, 1}));
-    CHECK(set_of<2>(mesh.changes().broken) == before);
+    CHECK(set_of<2>(mesh.changes().broken) == before.pairs);
     CHECK(set_of<2>(mesh.changes().made) == pairs_of(mesh));
+    CHECK(cells_in<2>(mesh.changes().gone) == before.cells);
+    CHECK(cells_in<2>(mesh.changes().changed) == cells_in<2>(mesh.cells()));
+}
+
+TEST_CASE("A cell that is turned over is gone and has come in a box, its edges neither", "[periodic]") {
+    std::vector<Coordinates<2>> y{{0.1, 0.1}, {0.4, 0.1}, {0.2, 0.15}};
+    Periodic_mesh<2> mesh(y, Box<2>::orthorhombic({1, 1}), {.report_changes = true});
+    y[2][1] = 0.05;
+    const Seen<2> before = seen(mesh);
+    mesh.move_all(y);
+    expect_changes(mesh, before, 0, std::vector<Shift<2>>(3));
+    const auto is_of_all = [](const auto& v) { return v[0] != v[1] && v[1] != v[2] && v[0] != v[2]; };
+    const auto& changed = mesh.changes().changed.vertices;
+    CHECK(std::count_if(changed.begin(), changed.end(), is_of_all) > 0);
 }
 
 TEST_CASE("Changes are listed on request, are those of the last call that succeeded, and are all or nothing",

@@ -8,7 +8,7 @@ module C
 const library = "libannulus_c.so.0"
 
 # ANNULUS_INTERFACE of the header that this file was written for; `annulus_interface` returns the library's.
-const INTERFACE = 6
+const INTERFACE = 7
 
 # annulus_status
 const OK = 0
@@ -440,6 +440,18 @@ function annulus_periodic_pairs_broken(mesh, capacity, first, second, shifts, co
     return ccall((:annulus_periodic_pairs_broken, library), Cint,
                  (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
                  mesh, capacity, first, second, shifts, count)
+end
+
+function annulus_periodic_changed(mesh, capacity, vertices, offsets, count)
+    return ccall((:annulus_periodic_changed, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, offsets, count)
+end
+
+function annulus_periodic_gone(mesh, capacity, vertices, offsets, count)
+    return ccall((:annulus_periodic_gone, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, vertices, offsets, count)
 end
 
 function annulus_periodic_audit(mesh, result)

@@ -38,18 +38,34 @@ int answer(const annulus_periodic* mesh, To* to, const char* name, Read read) {
     });
 }
 
+void require_changes(const Periodic_options& options) {
+    if (!options.report_changes) throw Refused(ANNULUS_USAGE, "the mesh was made without report_changes");
+}
+
 int listed_pairs(const annulus_periodic* mesh, std::size_t capacity, std::int32_t* first, std::int32_t* second,
                  std::int32_t* shifts, std::size_t* count, bool made) {
     return on(mesh, [&](const auto& boxed) {
         require(count, "count");
-        if (!boxed.mesh().options().report_changes)
-            throw Refused(ANNULUS_USAGE, "the mesh was made without report_changes");
+        require_changes(boxed.mesh().options());
         const auto& changes = boxed.mesh().changes();
         const auto& pairs = made ? changes.made : changes.broken;
         count_list(capacity, {first, second, shifts}, pairs.first.size(), "pairs", count);
         copy_flat(pairs.first, first);
         copy_flat(pairs.second, second);
         copy_flat(pairs.shift, shifts);
+    });
+}
+
+int listed_cells(const annulus_periodic* mesh, std::size_t capacity, std::int32_t* vertices, std::int32_t* offsets,
+                 std::size_t* count, bool created) {
+    return on(mesh, [&](const auto& boxed) {
+        require(count, "count");
+        require_changes(boxed.mesh().options());
+        const auto& changes = boxed.mesh().changes();
+        const auto& cells = created ? changes.changed : changes.gone;
+        count_list(capacity, {vertices, offsets}, cells.vertices.size(), "cells", count);
+        copy_flat(cells.vertices, vertices);
+        copy_flat(cells.offsets, offsets);
     });
 }
 
@@ -99,7 +115,7 @@ int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const doubl
         const auto x = as_points<d>(coordinates, points);
         const Move_result done =
             box == nullptr ? boxed.changing().move_all(x) : boxed.changing().move_all(x, as_box<d>(box));
-        write_report(report, done, d, 0);
+        write_report(report, done, d, boxed.mesh().changes().changed.vertices.size());
     });
 }
 
@@ -214,6 +230,15 @@ int annulus_periodic_pairs_made(const annulus_periodic* mesh, size_t capacity, i
 int annulus_periodic_pairs_broken(const annulus_periodic* mesh, size_t capacity, int32_t* first, int32_t* second,
                                   int32_t* shifts, size_t* count) {
     return listed_pairs(mesh, capacity, first, second, shifts, count, false);
+}
+
+int annulus_periodic_changed(const annulus_periodic* mesh, size_t capacity, int32_t* vertices, int32_t* offsets,
+                             size_t* count) {
+    return listed_cells(mesh, capacity, vertices, offsets, count, true);
+}
+int annulus_periodic_gone(const annulus_periodic* mesh, size_t capacity, int32_t* vertices, int32_t* offsets,
+                          size_t* count) {
+    return listed_cells(mesh, capacity, vertices, offsets, count, false);
 }
 
 int annulus_periodic_audit(const annulus_periodic* mesh, annulus_audit_result* result) {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace annulus::inline v1 {
@@ -15,6 +17,12 @@ constexpr double most_factor = 64;  // a factor of an old vector in a new one
 
 template <int d>
 using Matrix = std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)>;
+
+template <int d>
+Shift<d> minus(Shift<d> l, const Shift<d>& r) {
+    for (std::size_t i = 0; i < d; ++i) l[i] -= r[i];
+    return l;
+}
 
 /// row times m.
 template <int d, class T>
@@ -108,17 +116,13 @@ struct Named_pair {
 
 template <int d>
 Image_pair<d> in_order(Image_pair<d> p) {
-    Shift<d> back;
-    for (std::size_t i = 0; i < d; ++i) back[i] = -p.shift[i];
+    const Shift<d> back = minus<d>({}, p.shift);
     return p.first < p.second || (p.first == p.second && back < p.shift) ? p : Image_pair<d>{p.second, p.first, back};
 }
 
 template <int d>
 Shift<d> between(const Periodic_state<d>& state, std::size_t c, std::size_t a, std::size_t b) {
-    const Shift<d> from = state.shift(state.table.image(c, a), true);
-    Shift<d> to = state.shift(state.table.image(c, b), true);
-    for (std::size_t i = 0; i < d; ++i) to[i] -= from[i];
-    return to;
+    return minus<d>(state.shift(state.table.image(c, b), true), state.shift(state.table.image(c, a), true));
 }
 
 /// The edges of these cells by name, each once.
@@ -137,10 +141,70 @@ std::vector<Named_pair<d>> edges_of(const Periodic_state<d>& state, const std::v
     return edges;
 }
 
+/// The cell whose corner i is at shifts[i] from its corner 0, in its only form.
+template <int d>
+Image_cell<d> in_order(const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
+                       const std::array<Shift<d>, static_cast<std::size_t>(d + 1)>& shifts) {
+    constexpr std::size_t corners = d + 1;
+    Image_cell<d> least;
+    bool is_first = true;
+    // Where the least vertex is several corners, from the one that makes the cell the least.
+    for (std::size_t base = 0; base < corners; ++base) {
+        if (vertices[base] != *std::min_element(vertices.begin(), vertices.end())) continue;
+        std::array<std::pair<Index, Shift<d>>, corners> at;
+        for (std::size_t i = 0; i < corners; ++i) at[i] = {vertices[i], minus<d>(shifts[i], shifts[base])};
+        bool is_odd = false;
+        for (std::size_t i = 0; i < corners; ++i)
+            for (std::size_t j = i + 1; j < corners; ++j) is_odd ^= at[j] < at[i];
+        std::sort(at.begin(), at.end());
+        if (is_odd) std::swap(at[d - 1], at[d]);
+        Image_cell<d> cell;
+        for (std::size_t i = 0; i < corners; ++i) std::tie(cell.vertices[i], cell.offsets[i]) = at[i];
+        if (is_first || cell < least) least = cell;
+        is_first = false;
+    }
+    Shift<d> lowest = least.offsets[0];
+    for (const Shift<d>& o : least.offsets)
+        for (std::size_t k = 0; k < d; ++k) lowest[k] = std::min(lowest[k], o[k]);
+    for (Shift<d>& o : least.offsets) o = minus<d>(o, lowest);
+    return least;
+}
+
+/// A cell, and its name after the change.
+template <int d>
+struct Named_cell {
+    Image_cell<d> name, cell;
+    friend bool operator<(const Named_cell& l, const Named_cell& r) { return l.name < r.name; }
+};
+
+/// These cells by name. `shift` names the offset of corner i of cell c from its corner 0.
+template <int d, class Shift_of>
+std::vector<Named_cell<d>> cells_of(const Periodic_state<d>& state, const std::vector<std::size_t>& cells,
+                                    Shift_of shift) {
+    std::vector<Named_cell<d>> named;
+    for (const std::size_t c : cells) {
+        std::array<Shift<d>, static_cast<std::size_t>(d + 1)> names{}, offsets{};
+        for (std::size_t i = 1; i <= d; ++i) names[i] = shift(c, i), offsets[i] = between(state, c, 0, i);
+        named.push_back({in_order<d>(state.table.vertex[c], names), in_order<d>(state.table.vertex[c], offsets)});
+    }
+    std::sort(named.begin(), named.end());
+    return named;
+}
+
+/// Of those of `list` that `others` have not, what they are called before or after the change.
+template <class Named, class Of>
+auto without(const std::vector<Named>& list, const std::vector<Named>& others, bool is_related, Of of) {
+    std::vector<std::decay_t<decltype(of(list.front()))>> rest;
+    for (const Named& e : list)
+        if (!is_related || !std::binary_search(others.begin(), others.end(), e)) rest.push_back(of(e));
+    std::sort(rest.begin(), rest.end());
+    return rest;
+}
+
 }  // namespace
 
 template <int d>
-Image_pair_changes<d> periodic_changes(const Periodic_state<d>& before, const Periodic_state<d>& after) {
+Image_changes<d> periodic_changes(const Periodic_state<d>& before, const Periodic_state<d>& after) {
     const Renaming<d> renamed(before, after);
     const auto is_same = [&](std::size_t c) {
         if (c >= before.table.size() || c >= after.table.size() || !renamed.is_related() ||
@@ -158,23 +222,25 @@ Image_pair_changes<d> periodic_changes(const Periodic_state<d>& before, const Pe
         if (c < before.table.size()) gone.push_back(c);
         if (c < after.table.size()) came.push_back(c);
     }
-    const auto old_edges = edges_of(before, gone, [&](const Image_pair<d>& p) {
-        return renamed.is_related() ? renamed(p.shift, p.first, p.second) : p.shift;
-    });
-    const auto new_edges = edges_of(after, came, [](const Image_pair<d>& p) { return p.shift; });
-    Image_pair_changes<d> changes;
-    const auto has = [](const auto& edges, const Named_pair<d>& e) {
-        return std::binary_search(edges.begin(), edges.end(), e);
+    const bool is_related = renamed.is_related();
+    const auto new_name = [&](const Shift<d>& shift, Index from, Index to) {
+        return is_related ? renamed(shift, from, to) : shift;
     };
-    for (const Named_pair<d>& e : old_edges)
-        if (!renamed.is_related() || !has(new_edges, e)) changes.broken.push_back(e.pair);
-    for (const Named_pair<d>& e : new_edges)
-        if (!renamed.is_related() || !has(old_edges, e)) changes.made.push_back(e.pair);
-    std::sort(changes.broken.begin(), changes.broken.end());
-    return changes;
+    const auto old_edges =
+        edges_of(before, gone, [&](const Image_pair<d>& p) { return new_name(p.shift, p.first, p.second); });
+    const auto new_edges = edges_of(after, came, [](const Image_pair<d>& p) { return p.shift; });
+    const auto old_cells = cells_of(before, gone, [&](std::size_t c, std::size_t i) {
+        const auto& v = before.table.vertex[c];
+        return new_name(between(before, c, 0, i), v[0], v[i]);
+    });
+    const auto new_cells = cells_of(after, came, [&](std::size_t c, std::size_t i) { return between(after, c, 0, i); });
+    const auto pair = [](const Named_pair<d>& e) { return e.pair; };
+    const auto cell = [](const Named_cell<d>& e) { return e.cell; };
+    return {without(new_edges, old_edges, is_related, pair), without(old_edges, new_edges, is_related, pair),
+            without(new_cells, old_cells, is_related, cell), without(old_cells, new_cells, is_related, cell)};
 }
 
-template Image_pair_changes<2> periodic_changes(const Periodic_state<2>&, const Periodic_state<2>&);
-template Image_pair_changes<3> periodic_changes(const Periodic_state<3>&, const Periodic_state<3>&);
+template Image_changes<2> periodic_changes(const Periodic_state<2>&, const Periodic_state<2>&);
+template Image_changes<3> periodic_changes(const Periodic_state<3>&, const Periodic_state<3>&);
 
 }  // namespace annulus::inline v1
