@@ -158,9 +158,7 @@ class Periodic {
     }
     /// The pairs that the last call made, or broke: first, second, shift.
     py::tuple pairs(bool made) const {
-        Periodic_pairs<d> p = locked([&] {
-            return made ? changes().made : changes().broken;
-        });
+        Periodic_pairs<d> p = locked([&] { return made ? changes().made : changes().broken; });
         return py::make_tuple(give(std::move(p.first)), give(std::move(p.second)), give_rows(std::move(p.shift)));
     }
     /// The cells that the last call created, or removed: vertices, offsets.
