@@ -333,6 +333,14 @@ module annulus_c
             real(c_double), intent(in), optional :: box(*)
             type(annulus_report), intent(inout), optional :: report
         end function
+        integer(c_int) function annulus_periodic_move(mesh, count, indices, coordinates, report) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(in) :: indices(*)
+            real(c_double), intent(in) :: coordinates(*)
+            type(annulus_report), intent(inout), optional :: report
+        end function
         integer(c_int) function annulus_periodic_insert(mesh, count, coordinates, indices) bind(c)
             import
             type(c_ptr), value :: mesh

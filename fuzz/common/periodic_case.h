@@ -110,7 +110,7 @@ class Periodic_case {
     // ---- Changes: each makes one and returns its name, or after ! what is wrong ---------------------------------
 
     std::string change() {
-        switch (inputs_.below(16)) {
+        switch (inputs_.below(17)) {
             case 0: return insert();
             case 1: return insert_several();
             case 2: return remove(1);
@@ -126,6 +126,7 @@ class Periodic_case {
             case 12: return in_box(inputs_.sheared(box_), true, "sheared");
             case 13: return in_box(inputs_.sheared(box_), false, "sheared, points stay");
             case 14: return in_box(inputs_.squeezed(box_), true, "squeezed");
+            case 15: return move_one();
             default: return in_box(inputs_.other_basis(box_), false, "another basis");
         }
     }
@@ -170,6 +171,25 @@ class Periodic_case {
             free_.pop_back();
         }
         return true;
+    }
+    std::string move_one() {
+        const std::vector<Index> all = vertices();
+        if (all.empty()) return "nothing to move";
+        inputs_.choose_kind();
+        const Index v = all[inputs_.below(all.size())];
+        const Coordinates<d> p = inputs_.point(box_, x_), old = x_[static_cast<std::size_t>(v)];
+        asked_.points = {p};
+        x_[static_cast<std::size_t>(v)] = nowhere();
+        const bool taken = is_taken(p);
+        x_[static_cast<std::size_t>(v)] = old;
+        try {
+            mesh_->move(v, p);
+        } catch (const Error& e) {
+            return e.code() == Error_code::duplicate_point && taken ? refused("move one")
+                                                                    : std::string("! move one: ") + e.what();
+        }
+        x_[static_cast<std::size_t>(v)] = p;
+        return "move one";
     }
     std::string remove(std::size_t most) {
         std::vector<Index> all = vertices();

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _core, _lloyd
 from ._error import Error
 from ._moving_delaunay import options_of
+from ._periodic import NotAvailableError
 from ._queries import AuditResult, audit_result_of
 
 
@@ -81,7 +82,7 @@ def audit(points: ArrayLike, simplices: ArrayLike, max_faults: int = 100) -> Aud
     return audit_result_of(_core.audit(points, simplices, _arguments.whole("max_faults", max_faults, 0, 2**31 - 1)))
 
 
-def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
+def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *, box: ArrayLike | None = None,
                thresholds: Sequence[float] | None = None, values: bool = False) -> dict[str, typing.Any]:
     """Measures how degenerate points are: certified counts and distributions of their Delaunay triangulation.
 
@@ -90,7 +91,11 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
     points : array_like, shape (n, 2) or (n, 3) = (n, d)
         At least two distinct points.
     merge_duplicates : bool, optional
-        Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``.
+        Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``. Not in a box,
+        where images of one another are duplicates, too.
+    box : array_like, shape (d,) or (d, d), optional
+        The lengths of a periodic box, or its vectors as rows, as `MovingDelaunay` takes it. A single point is enough
+        then. There is no hull: the result has no ``"ridges"``, and none of what it says of the paper's tolerances.
     thresholds : list of float, optional
         Widths to count below, in mean spacings, 1 to 30 of them: above 0 and finite. In the result they are named as
         Python writes them. By default 1e-3, 1e-6, 1e-9 and 1e-12.
@@ -109,6 +114,10 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
 
         ``points`` : int32, shape (m, d + 2) of bi-cells, (m, d + 1) of others
             Rows of the argument `points`, of duplicate points the first.
+        ``places`` : float64, shape (m, d + 2, d) or (m, d + 1, d), in a box only
+            Where they are: the images that the certificate is of, as the mesh has rounded them. Images of one vertex
+            count as points that move apart from one another, so widths and tolerances are lower bounds where a
+            certificate has several.
         ``width_lower``, ``width_upper`` : float64, shape (m,)
             Between them is the width of the certificate, twice the distance to the nearest placement at which it is
             degenerate, in the unit of the points; both are 0 where it is degenerate.
@@ -134,7 +143,9 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *,
     >>> bool(0 < found["bicells"]["width_lower"][0] <= found["bicells"]["width_upper"][0] < 1)
     True
     """
-    return _core.degeneracy(points, _arguments.truth("merge_duplicates", merge_duplicates),
+    if box is not None and merge_duplicates:
+        raise NotAvailableError("merge_duplicates=True is not available with a periodic box")
+    return _core.degeneracy(points, box, _arguments.truth("merge_duplicates", merge_duplicates),
                             None if thresholds is None else _named_thresholds(thresholds),
                             _arguments.truth("values", values))
 

@@ -107,28 +107,41 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         self._report_changes = report_changes
         self._strategy = strategy
 
-    def move(self, points: ArrayLike, box: ArrayLike | None = None) -> _core.MoveResult:
-        """Moves all points, and gives the box another shape.
+    def move(self, points: ArrayLike, box: ArrayLike | None = None, *,
+             indices: ArrayLike | None = None) -> _core.MoveResult:
+        """Moves all points, and gives the box another shape, or moves some points.
 
         Parameters
         ----------
-        points : array_like, shape (npoints, d)
+        points : array_like, shape (npoints, d) or (k, d)
             The new positions: any image of each point. Rows at free indices are not read.
         box : array_like, shape (d,) or (d, d), optional
-            The new box; the old one by default.
+            The new box; the old one by default. Not with `indices`.
+        indices : array_like of int, shape (k,), optional
+            Indices of the vertices to move, all at the same time. If an index occurs twice, its last row counts.
 
         Returns
         -------
         MoveResult
-            All points are `within_tolerance`, `kept_in_place`, `flipped` or `rebuilt` in it. Its lists of simplices and
-            edges are not available: they raise an `Error` with the code ``usage``.
+            All points are `within_tolerance`, `kept_in_place`, `flipped` or `rebuilt` in it; a single one of `indices`
+            is counted alone, `reinserted`. Its lists of simplices and edges are not available: they raise an `Error`
+            with the code ``usage``.
 
         Raises
         ------
         Error
-            With the codes of the constructor; nothing has changed then.
+            With the codes of the constructor, ``unknown_vertex`` and ``wrong_size``; nothing has changed then.
+
+        Notes
+        -----
+        One vertex is inserted at its new place and removed where it was, at the cost of these, and tolerances are not
+        kept, where there are not too few points for that. Several cost what all cost.
         """
-        return self._mesh.move(_plain(points), box)
+        if indices is None:
+            return self._mesh.move(_plain(points), box)
+        if box is not None:
+            raise Error("box cannot be given together with indices", "usage")
+        return self._mesh.move_some(_plain(points), indices)
 
     def insert(self, points: ArrayLike) -> Indices:
         """Inserts vertices: all of them or, if it raises an exception, none.

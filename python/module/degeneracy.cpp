@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <module/arrays.h>
+#include <module/box_vectors.h>
 #include <module/errors.h>
 #include <module/finalizing.h>
 #include <module/json.h>
@@ -8,8 +9,10 @@
 
 #include <annulus/arithmetic/domain.h>
 #include <annulus/arithmetic/environment.h>
+#include <annulus/degeneracy.h>
 #include <annulus/engine/naming_duplicates.h>
 #include <annulus/kernel/delaunay_mesh.h>
+#include <annulus/periodic_mesh.h>
 #include <apps/report/degeneracy_report.h>
 
 #include <pybind11/stl.h>
@@ -64,41 +67,66 @@ using Thresholds = std::optional<std::vector<std::pair<std::string, double>>>;
 /// Every certificate of one kind, in the order of the scan.
 struct Values {
     py::ssize_t width = 0;  // points of each
+    bool with_places = false;
     std::vector<Index> points{};
+    std::vector<double> places{};
     std::vector<double> width_lower{}, width_upper{}, tolerance{}, theta{};
     std::vector<std::int8_t> stage{};
 
     template <int d>
     void add(const Raw_certificate<d>& c, std::span<const Index> place) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) points.push_back(place[at(c.point[i])]);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
+            points.push_back(place.empty() ? c.point[i] : place[at(c.point[i])]);
+            if (with_places) places.insert(places.end(), c.place[i].begin(), c.place[i].end());
+        }
         width_lower.push_back(c.width_lower);
         width_upper.push_back(c.width_upper);
         tolerance.push_back(c.tolerance);
         if (width == d + 2) theta.push_back(c.theta);
         stage.push_back(static_cast<std::int8_t>(c.stage));
     }
-    [[nodiscard]] py::dict arrays(bool of_bicells) && {
+    [[nodiscard]] py::dict arrays(int d) && {
         const auto n = static_cast<py::ssize_t>(stage.size());
         py::dict all;
         all["points"] = give(std::move(points), {n, width});
+        if (with_places) all["places"] = give(std::move(places), {n, width, d});
         all["width_lower"] = give(std::move(width_lower));
         all["width_upper"] = give(std::move(width_upper));
         all["tolerance"] = give(std::move(tolerance));
-        if (of_bicells) all["theta"] = give(std::move(theta));
+        if (width == d + 2) all["theta"] = give(std::move(theta));
         all["stage"] = give(std::move(stage));
         return all;
     }
 };
 using Values_by_kind = std::array<Values, 3>;  // in the order of Raw_certificate::Kind
 
+/// `place` of a point in the array; empty where numbers are the same.
 template <int d>
-Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates, const Thresholds& thresholds,
-                        Values_by_kind* values) {
+Degeneracy_options<d> options_of(const Thresholds& thresholds, Values_by_kind* values, std::span<const Index> place) {
+    Degeneracy_options<d> options;
+    if (thresholds) options.thresholds = *thresholds;
+    // With one thread, the callback runs in this thread.
+    options.raw = [calls = 0U, values, place](const Raw_certificate<d>& c) mutable {
+        if (values != nullptr) (*values)[static_cast<std::size_t>(c.kind)].add(c, place);
+        if (++calls % 16384 == 0) look_for_signals();
+    };
+    return options;
+}
+
+template <int d>
+Degeneracy_record record_of(std::size_t points) {
     require_sound_environment();
     Degeneracy_record r;
     r.command = "annulus.degeneracy";
     r.dimension = d;
-    r.points = points.size();
+    r.points = points;
+    return r;
+}
+
+template <int d>
+Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_duplicates, const Thresholds& thresholds,
+                        Values_by_kind* values) {
+    auto r = record_of<d>(points.size());
     const auto [x, place] = distinct<d>(points, merge_duplicates);
     if (x.size() < 2) throw Error(Error_code::too_few, "degeneracy needs two points that differ");
     r.vertices = x.size();
@@ -111,35 +139,48 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     std::vector<Index> corners;
     mesh.list_cells(x, corners);
     r.simplices = corners.size() / (d + 1);
-    if (r.affine_dimension == d) {
-        Degeneracy_options<d> options;
-        if (thresholds) options.thresholds = *thresholds;
-        // With one thread, the callback runs in this thread.
-        options.raw = [calls = 0U, values, &place = place](const Raw_certificate<d>& c) mutable {
-            if (values != nullptr) (*values)[static_cast<std::size_t>(c.kind)].add(c, place);
-            if (++calls % 16384 == 0) look_for_signals();
-        };
-        r.measured = degeneracy(mesh.table(), x, options);
-    }
+    if (r.affine_dimension == d) r.measured = degeneracy(mesh.table(), x, options_of<d>(thresholds, values, place));
     r.seconds_analysis = since(built);
     return r;
 }
 
 template <int d>
-py::object study_of(Numbers numbers, bool merge_duplicates, const Thresholds& thresholds, bool with_values) {
+Degeneracy_record study_in_box(std::span<const Coordinates<d>> points, const typename Box<d>::Vectors& box,
+                               const Thresholds& thresholds, Values_by_kind* values) {
+    auto r = record_of<d>(points.size());
+    r.vertices = points.size();
+    r.affine_dimension = d;
+    const auto begin = Clock::now();
+    const Periodic_mesh<d> mesh(points, Box<d>(box));
+    r.seconds_triangulation = since(begin);
+    const auto built = Clock::now();
+    r.simplices = mesh.number_of_cells();
+    if (points.empty()) throw Error(Error_code::too_few, "degeneracy in a box needs a point");
+    r.measured = degeneracy(mesh, options_of<d>(thresholds, values, {}));
+    r.seconds_analysis = since(built);
+    return r;
+}
+
+template <int d>
+py::object study_of(Numbers numbers, const py::object& box, bool merge_duplicates, const Thresholds& thresholds,
+                    bool with_values) {
     const Points_in<d> points(std::move(numbers), "points");
-    Values_by_kind values{Values{d + 2}, Values{d + 1}, Values{d + 1}};
+    const bool boxed = !box.is_none();
+    const typename Box<d>::Vectors vectors = boxed ? box_vectors_of<d>(box) : typename Box<d>::Vectors{};
+    Values_by_kind values{Values{d + 2, boxed}, Values{d + 1, boxed}, Values{d + 1, boxed}};
+    Values_by_kind* const asked = with_values ? &values : nullptr;
     Degeneracy_record record;
     {
         const Without_gil without_gil;
-        record = study<d>(points.span(), merge_duplicates, thresholds, with_values ? &values : nullptr);
+        record = boxed ? study_in_box<d>(points.span(), vectors, thresholds, asked)
+                       : study<d>(points.span(), merge_duplicates, thresholds, asked);
     }
     py::object result = object_of(degeneracy_json(record));
     if (with_values) {
         py::dict arrays;
-        arrays["bicells"] = std::move(values[0]).arrays(true);
-        arrays["cells"] = std::move(values[1]).arrays(false);
-        arrays["ridges"] = std::move(values[2]).arrays(false);
+        arrays["bicells"] = std::move(values[0]).arrays(d);
+        arrays["cells"] = std::move(values[1]).arrays(d);
+        if (!boxed) arrays["ridges"] = std::move(values[2]).arrays(d);
         result["values"] = arrays;
     }
     return result;
@@ -148,11 +189,12 @@ py::object study_of(Numbers numbers, bool merge_duplicates, const Thresholds& th
 }  // namespace
 
 void add_degeneracy(py::module_& m) {
-    m.def("degeneracy", [](const py::object& points, bool merge_duplicates, const Thresholds& thresholds, bool values) {
+    m.def("degeneracy", [](const py::object& points, const py::object& box, bool merge_duplicates,
+                           const Thresholds& thresholds, bool values) {
         Numbers numbers = numbers_of(points, "points");
         const bool space = numbers.ndim() == 2 && numbers.shape(1) == 3;
-        return space ? study_of<3>(std::move(numbers), merge_duplicates, thresholds, values)
-                     : study_of<2>(std::move(numbers), merge_duplicates, thresholds, values);
+        return space ? study_of<3>(std::move(numbers), box, merge_duplicates, thresholds, values)
+                     : study_of<2>(std::move(numbers), box, merge_duplicates, thresholds, values);
     });
 }
 

@@ -2,6 +2,7 @@
 // The classes Periodic2 and Periodic3, behind annulus.PeriodicDelaunay.
 #include <module/arrays.h>
 #include <module/audit_tuple.h>
+#include <module/box_vectors.h>
 #include <module/derivatives.h>
 #include <module/diagram.h>
 #include <module/finalizing.h>
@@ -25,24 +26,6 @@
 namespace annulus::python {
 
 namespace {
-
-/// Lengths, (d,), or vectors as rows, (d, d).
-template <int d>
-typename Box<d>::Vectors vectors_of(const py::object& object) {
-    const Numbers x = numbers_of(object, "box");
-    typename Box<d>::Vectors vectors{};
-    if (x.ndim() == 1 && x.shape(0) == d) {
-        for (std::size_t i = 0; i < d; ++i) vectors[i][i] = x.data()[i];
-    } else if (x.ndim() == 2 && x.shape(0) == d && x.shape(1) == d) {
-        for (std::size_t i = 0; i < d; ++i)
-            for (std::size_t j = 0; j < d; ++j) vectors[i][j] = x.data()[d * i + j];
-    } else {
-        const std::string n = std::to_string(d);
-        throw Error(Error_code::wrong_size, "box must have shape (" + n + ",), lengths, or (" + n + ", " + n +
-                                                "), vectors, not " + shape_of(x));
-    }
-    return vectors;
-}
 
 /// Shifts as int8, (m, corners, d).
 template <int d, std::size_t corners>
@@ -70,7 +53,7 @@ Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& pla
     if (k.ndim() != 2 || k.shape(0) != static_cast<py::ssize_t>(x.span().size()) || k.shape(1) != d)
         throw Error(Error_code::wrong_size, "images must have a row for each place, not the shape " + shape_of(k));
     Saved_periodic_mesh<d> saved{
-        vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}, indices_of(free_indices)};
+        box_vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}, indices_of(free_indices)};
     saved.images.resize(saved.places.size());
     for (std::size_t i = 0; i < saved.images.size(); ++i)
         for (std::size_t c = 0; c < d; ++c) {
@@ -93,14 +76,19 @@ template <int d>
 class Periodic {
   public:
     Periodic(const py::object& points, const py::object& box, const Periodic_options& options)
-        : mesh_(built(Points_in<d>(points), vectors_of<d>(box), options)) {}
+        : mesh_(built(Points_in<d>(points), box_vectors_of<d>(box), options)) {}
     Periodic(const Saved_periodic_mesh<d>& saved, const Periodic_options& options) : mesh_(built(saved, options)) {}
 
     Report move(const py::object& points, const py::object& box) {
         const Points_in<d> x(points);
         if (box.is_none()) return report(locked([&] { return mesh_.move_all(x.span()); }));
-        const auto vectors = vectors_of<d>(box);
+        const auto vectors = box_vectors_of<d>(box);
         return report(locked([&] { return mesh_.move_all(x.span(), Box<d>(vectors)); }));
+    }
+    Report move_some(const py::object& points, const py::object& indices) {
+        const Points_in<d> x(points);
+        const std::vector<Index> i = indices_of(indices);
+        return report(locked([&] { return mesh_.move(i, x.span()); }));
     }
     py::array insert(const py::object& points) {
         const Points_in<d> x(points);
@@ -262,6 +250,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
                     })
         .def("state", &P::state)
         .def("move", &P::move)
+        .def("move_some", &P::move_some)
         .def("insert", &P::insert)
         .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)

@@ -70,6 +70,60 @@ def test_degeneracy_has_the_values_of_every_certificate(tmp_path, d):
     assert [flat[kind]["points"].shape for kind in flat] == [(0, d + 2), (0, d + 1), (0, d + 1)]
 
 
+def copies(x, box):
+    """All images of the points in their box and those around it."""
+    d = x.shape[1]
+    shifts = np.indices((3,) * d).reshape(d, -1).T - 1
+    return (x[None] + (shifts @ box)[:, None]).reshape(-1, d)
+
+
+@pytest.mark.parametrize("d", [2, 3])
+@pytest.mark.parametrize("points", ["random", "lattice"])
+def test_degeneracy_in_a_box_is_that_of_many_copies(d, points):
+    rng = np.random.default_rng(8 + d)
+    box = np.diag([4.0] * d)
+    box[1, 0] = 1.0
+    if points == "random":
+        x = rng.random((40, d)) @ box
+    else:
+        x = np.indices((4,) * d).reshape(d, -1).T @ box / 4
+    found = annulus.degeneracy(x, box=box, values=True)
+    assert found["vertices"] == len(x) and "ridges" not in found and found["values"].keys() == {"bicells", "cells"}
+    assert found.keys() == {*annulus.degeneracy(x, box=box), "values"}
+    rounded = annulus.MovingDelaunay(x, box=box).points
+    many = copies(rounded, box)
+    open_set = annulus.degeneracy(many, values=True)["values"]["bicells"]
+    width_of = {frozenset(p): w for p, *w in zip(open_set["points"].tolist(), open_set["width_lower"].tolist(),
+                                                 open_set["width_upper"].tolist())}
+    number_of = {tuple(p): k for k, p in enumerate(np.round(many, 9).tolist())}
+    bicells = found["values"]["bicells"]
+    assert bicells["places"].shape == (len(bicells["stage"]), d + 2, d)
+    compared = 0
+    for p, places, lower, upper in zip(bicells["points"], bicells["places"], bicells["width_lower"],
+                                       bicells["width_upper"]):
+        in_box = (places - rounded[p]) @ np.linalg.inv(box)
+        assert np.allclose(in_box, np.round(in_box), atol=1e-9)
+        rows = [number_of.get(tuple(q)) for q in (np.round(places, 9) + 0.0).tolist()]
+        if frozenset(rows) not in width_of:  # at the hull of the copies, or another diagonal of cospherical points
+            continue
+        compared += 1
+        theirs = width_of[frozenset(rows)]
+        assert lower <= theirs[1] * (1 + 1e-9) + 1e-12 and theirs[0] <= upper * (1 + 1e-9) + 1e-12
+    assert compared > len(bicells["stage"]) / 4
+    assert (np.sum(bicells["width_upper"] == 0) > 0) == (points == "lattice")
+
+
+def test_degeneracy_in_a_box_of_few_points_and_of_duplicates():
+    assert annulus.degeneracy([[0.5, 0.25]], box=[1, 1])["vertices"] == 1
+    for wrong, code in ((lambda: annulus.degeneracy(np.empty((0, 2)), box=[1, 1]), "too_few"),
+                        (lambda: annulus.degeneracy([[0, 0], [1, 0]], box=[1, 1]), "duplicate_point"),
+                        (lambda: annulus.degeneracy(GRID, box=[1, 1, 1]), "wrong_size"),
+                        (lambda: annulus.degeneracy(GRID, True, box=[9, 9]), "usage")):
+        with pytest.raises(annulus.Error) as e:
+            wrong()
+        assert e.value.code == code
+
+
 def test_degeneracy_of_little():
     line = annulus.degeneracy([[0, 0], [1, 1], [2, 2]])
     assert line["affine_dimension"] == 1 and line["simplices"] == 2 and line["bicells"] is None

@@ -263,6 +263,36 @@ def test_find_simplex_names_the_image_that_contains_the_point():
     assert (caught.value.code, caught.value.vertices) == ("not_finite", (1,))
 
 
+@pytest.mark.parametrize("d", [2, 3])
+def test_some_points_move(d):
+    rng = np.random.default_rng(24)
+    x = rng.random((300, d))
+    dt = annulus.MovingDelaunay(x, box=np.ones(d))
+    for k in range(20):
+        which = rng.choice(300, size=1 if k % 2 else 7, replace=False)
+        x = dt.points
+        x[which] += rng.standard_normal((len(which), d)) * (0.01 if k < 10 else 2.0)
+        result = dt.move(x[which], indices=which)
+        assert (result.asked, result.reinserted) == ((1, 1) if k % 2 else (300, 0))
+        assert np.allclose(dt.points, x, atol=1e-12) and dt.audit()
+        fresh = annulus.MovingDelaunay(dt.points, box=np.ones(d))
+        assert cells_by_name(dt.simplices, dt.simplex_offsets) == cells_by_name(fresh.simplices, fresh.simplex_offsets)
+    before = dt.points
+    dt.move(before[[1, 0]], indices=[0, 1])  # at the same time
+    assert np.allclose(dt.points[[1, 0]], before[:2], atol=1e-12) and dt.audit()
+    before = dt.points
+    for wrong, code in ((lambda: dt.move(before[:1], indices=[1]), "duplicate_point"),
+                        (lambda: dt.move(before[:1] + 3, indices=[1]), "duplicate_point"),
+                        (lambda: dt.move(before[:1], indices=[300]), "unknown_vertex"),
+                        (lambda: dt.move(before[:2], indices=[0]), "wrong_size"),
+                        (lambda: dt.move(before[:1] * np.nan, indices=[4]), "not_finite"),
+                        (lambda: dt.move(before[:1], np.ones(d), indices=[0]), "usage")):
+        with pytest.raises(annulus.Error) as caught:
+            wrong()
+        assert caught.value.code == code and np.array_equal(dt.points, before)
+    assert dt.move(np.empty((0, d)), indices=[]).asked == 0
+
+
 def cells_by_name(simplices, offsets):
     """Each as its corners, the least vertex at offset 0, of several of these the least form."""
     names = set()

@@ -393,6 +393,12 @@ ANNULUS_API size_t annulus_periodic_error_vertices(const annulus_periodic* mesh,
 // Errors: those of annulus_periodic_create, and WRONG_SIZE.
 ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const double* coordinates,
                                           const double* box, annulus_report* report);
+// Moves some vertices, all at once: vertex indices[k] to point k, any image. If an index occurs twice, its last point
+// counts. One vertex is inserted at its new place and removed where it was, near the two, with few points excepted;
+// several cost what annulus_periodic_move_all costs, and the report is of all vertices, as there.
+// Errors: as annulus_periodic_move_all, and UNKNOWN_VERTEX.
+ANNULUS_API int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* indices,
+                                      const double* coordinates, annulus_report* report);
 // Inserts vertices, all or none, and writes their indices: first the free ones, the one freed last first. Five to
 // fifteen microseconds each in 2D, twenty to forty in 3D; with few points a build. After DUPLICATE_POINT the vertex is
 // named that has an image at one of the places; none where two of the points are images of one another.

@@ -7,6 +7,7 @@
 #include <annulus/engine/periodic_editor.h>
 #include <annulus/engine/periodic_mover.h>
 #include <annulus/engine/periodic_state.h>
+#include <annulus/engine/require_vertices.h>
 #include <annulus/kernel/periodic_builder.h>
 #include <annulus/kernel/periodic_locate.h>
 #include <annulus/measure/periodic_diagram.h>
@@ -127,6 +128,42 @@ template <int d>
 Move_result Periodic_mesh<d>::move_all(std::span<const Point> points, const Box<d>& box) {
     Periodic_state<d> next = parts_->moved(points, box.vectors());
     return parts_->changing([&] { return parts_->mover.move(parts_->state, std::move(next)); });
+}
+template <int d>
+Move_result Periodic_mesh<d>::move(Index i, const Point& p) {
+    return move(std::span(&i, 1), std::span(&p, 1));
+}
+template <int d>
+Move_result Periodic_mesh<d>::move(std::span<const Index> indices, std::span<const Point> points) {
+    require_sound_environment();
+    if (points.size() != indices.size())
+        throw Error(Error_code::wrong_size,
+                    std::to_string(points.size()) + " positions for " + std::to_string(indices.size()) + " vertices");
+    require_vertices(indices, [&](Index i) { return is_vertex(i); });
+    Periodic_state<d>& state = parts_->state;
+    std::vector<Representative<d>> to;
+    for (std::size_t k = 0; k < points.size(); ++k) to.push_back(state.lattice.representative(points[k], indices[k]));
+    if (indices.empty()) return {};
+    return parts_->changing([&]() -> Move_result {
+        if (indices.size() == 1) {
+            const bool stays = state.place[static_cast<std::size_t>(indices[0])] == to[0].place;
+            if (!stays) parts_->mover.forget();
+            if (parts_->editor.move(state, indices[0], to[0])) {
+                Move_result result;
+                result.moves.asked = 1;
+                (stays ? result.moves.kept_in_place : result.moves.reinserted) = 1;
+                return result;
+            }
+        }
+        Placed_points<d> places = state;
+        for (std::size_t k = 0; k < indices.size(); ++k) {
+            const auto i = static_cast<std::size_t>(indices[k]);
+            places.given[i] = state.lattice.imaged(to[k]);
+            places.place[i] = to[k].place;
+            places.image[i] = to[k].image;
+        }
+        return parts_->mover.move(state, Periodic_state<d>(state, std::move(places)));
+    });
 }
 template <int d>
 Index Periodic_mesh<d>::insert(const Point& p) {

@@ -109,6 +109,17 @@ class Periodic_mesh {
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);
 
+    /// Moves one vertex, to any image of its new place. It is inserted there and removed where it was, which costs what
+    /// these cost, and is `reinserted` in the result, or `kept_in_place` if only its image is another one. Where it is
+    /// not possible, with few points or in a thin box, the call is that of several vertices. Throws unknown_vertex,
+    /// not_finite, out_of_domain, duplicate_point, too_large, bad_alloc, environment.
+    Move_result move(Index i, const Point& p);
+    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
+    /// is named twice, its last point counts. One costs what it costs alone, several what move_all costs; then all
+    /// vertices are counted in the result, as there. Throws wrong_size unless there is one point for each index, and
+    /// what the move of one vertex throws.
+    Move_result move(std::span<const Index> indices, std::span<const Point> points);
+
     /// Inserts a vertex, any image of it, and returns its index: the one that was freed last, or index_bound().
     /// Replaces cells near it, expected O(n^(1/3) + degree); with few points, or in a box that is thinner than cells
     /// are long, it builds (docs/periodic.md). Throws duplicate_point, naming the vertex that has, rounded, an image at
@@ -182,7 +193,7 @@ class Periodic_mesh {
     /// then the next move that allows it begins them again. Throws bad_alloc and environment.
     [[nodiscard]] std::vector<double> tolerances() const;
 
-    /// With options().report_changes: what the last call of move_all, insert or remove changed; nothing before the
+    /// With options().report_changes: what the last call that moves, inserts or removes changed; nothing before the
     /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:
     /// a pair stays where each point moves to the image nearest to where the affine map of the boxes takes it. (Where a
     /// box changes by half and more, so that no unimodular matrix relates the two, every pair is broken, and made, and

@@ -176,6 +176,15 @@ static void check_coming_and_going(int d) {
     CHECK_STATUS(annulus_periodic_changed(mesh, most, vertices, offsets, &count), ANNULUS_OK);
     if (d == 2) CHECK(cells == count + 2);
     CHECK_STATUS(annulus_periodic_pairs_broken(mesh, broken - 1, first, NULL, NULL, &broken), ANNULUS_WRONG_SIZE);
+    double further[3];
+    annulus_report moved_one = {0};
+    moved_one.size = sizeof moved_one;
+    for (int c = 0; c < d; ++c) further[c] = x[10 * d + c] + 0.125;
+    CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){10}, further, &moved_one), ANNULUS_OK);
+    CHECK(moved_one.asked == 1 && moved_one.changed > 0 && is_delaunay(mesh));
+    CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){1}, further, NULL), ANNULUS_UNKNOWN_VERTEX);
+    CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){11}, further, NULL), ANNULUS_DUPLICATE_POINT);
+    CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){10}, x + 10 * d, NULL), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_insert(mesh, 5, x + 30 * d, indices), ANNULUS_OK);
     CHECK(indices[0] == 7 && indices[1] == 20 && indices[2] == 1 && indices[3] == 30 && indices[4] == 31);
     CHECK_STATUS(annulus_periodic_move_all(mesh, 32, x, NULL, NULL), ANNULUS_OK);

@@ -27,7 +27,7 @@ namespace {
 
 /// What moves of all walks have done, by vertex, and how many calls have thrown.
 struct Met {
-    std::size_t kept = 0, flipped = 0, rebuilt = 0, flipped_with_free = 0, thrown = 0, calls = 0;
+    std::size_t kept = 0, flipped = 0, rebuilt = 0, flipped_with_free = 0, thrown = 0, calls = 0, reinserted = 0;
 };
 
 template <int d>
@@ -43,7 +43,7 @@ class Walk {
     }
     void step() {
         ++met_.calls;
-        switch (cases_.below(9)) {
+        switch (cases_.below(12)) {
             case 0: return change([&] { mesh_.insert(point()); });
             case 1: return change([&] { mesh_.insert(several(cases_.below(mesh_.number_of_vertices() / 4 + 3))); });
             case 2: return remove(1);
@@ -52,6 +52,9 @@ class Walk {
             case 5: return move(moved(1, std::pow(10, cases_.uniform(-6, -2))), box_);
             case 6: return move(with_images(moved(4, 0.01)), box_);
             case 7: return move_in_another_box();
+            case 8: return move_some(1, 3);
+            case 9: return move_some(1, std::pow(10, cases_.uniform(-6, -1)));
+            case 10: return move_some(cases_.below(4), 0.3);
             default: return move(where_two_coincide(), box_);
         }
     }
@@ -139,12 +142,46 @@ class Walk {
             box_ = box;
         });
     }
-    void remove(std::size_t most) {
+    [[nodiscard]] std::vector<Index> some(std::size_t most) {
         std::vector<Index> all;
         for (std::size_t v = 0; v < mesh_.index_bound(); ++v)
             if (mesh_.is_vertex(static_cast<Index>(v))) all.push_back(static_cast<Index>(v));
         for (std::size_t k = 0; k < all.size(); ++k) std::swap(all[k], all[k + cases_.below(all.size() - k)]);
         all.resize(std::min(all.size(), most));
+        return all;
+    }
+    /// So many, by up to so much of the vectors of the box; sometimes two of them to each other's place, to that of a
+    /// vertex, or to another image of theirs.
+    void move_some(std::size_t count, double most) {
+        const std::vector<Index> which = some(count);
+        const Points x(mesh_.points().begin(), mesh_.points().end());
+        Points to;
+        for (const Index v : which) {
+            to.push_back(x[static_cast<std::size_t>(v)]);
+            const Coordinates<d> way = cases_.point<d>(box_, most);
+            for (std::size_t i = 0; i < d; ++i) to.back()[i] += way[i];
+        }
+        if (const std::size_t how = cases_.below(8); !which.empty() && how == 0) {
+            to[0] = x[static_cast<std::size_t>(some(1)[0])];
+        } else if (which.size() > 1 && how <= 2) {
+            to[0] = x[static_cast<std::size_t>(which[1])];
+            to[1] = x[static_cast<std::size_t>(which[0])];
+        } else if (!which.empty() && how == 3) {
+            to[0] = x[static_cast<std::size_t>(which[0])];
+            for (std::size_t i = 0; i < d; ++i) to[0][i] += 2 * box_.vectors()[0][i];
+        }
+        change([&] {
+            const Move_result r = which.size() == 1 ? mesh_.move(which[0], to[0]) : mesh_.move(which, to);
+            if (r.moves.reinserted > 0) ++met_.reinserted;
+            CHECK((which.empty() || r.moves.asked == (r.moves.reinserted > 0 ? 1 : r.moves.asked)));
+            for (std::size_t k = 0; k < which.size(); ++k) {
+                const auto& p = mesh_.points()[static_cast<std::size_t>(which[k])];
+                for (std::size_t i = 0; i < d; ++i) CHECK(std::fabs(p[i] - to[k][i]) <= 8 * mesh_.grid()[i]);
+            }
+        });
+    }
+    void remove(std::size_t most) {
+        const std::vector<Index> all = some(most);
         change([&] {
             if (all.size() == 1) mesh_.remove(all[0]);
             else mesh_.remove(all);
@@ -207,8 +244,9 @@ void expect_right_walks(int walks, std::initializer_list<std::size_t> sizes, int
                 walk.step();
             }
         }
-    CAPTURE(d, met.calls, met.thrown, met.kept, met.flipped, met.flipped_with_free, met.rebuilt);
+    CAPTURE(d, met.calls, met.thrown, met.kept, met.flipped, met.flipped_with_free, met.rebuilt, met.reinserted);
     CHECK(met.kept > 0);
+    CHECK(met.reinserted > 0);
     CHECK(met.flipped_with_free > 0);
     CHECK(met.rebuilt > 0);
     CHECK(met.thrown > 0);
@@ -272,4 +310,43 @@ TEMPLATE_TEST_CASE_SIG("A move that runs out of memory keeps neighbours and what
         REQUIRE(mesh.audit().delaunay());
     }
     CHECK(refused > 20);
+}
+
+TEMPLATE_TEST_CASE_SIG("A move of one vertex in a box that runs out of memory changes nothing", "[engine][periodic]",
+                       ((int d), d), 2, 3) {
+    Periodic_cases cases(7);
+    const Box<d> box = cases.box<d>(0);
+    for (const bool on_lattice : {false, true}) {
+        std::vector<Coordinates<d>> x = cases.points<d>(box, d == 2 ? 40 : 80);
+        if (on_lattice)  // with what is cospherical
+            for (auto& p : x)
+                for (double& c : p) c = std::round(8 * c) / 8;
+        std::sort(x.begin(), x.end());
+        x.erase(std::unique(x.begin(), x.end()), x.end());
+        Coordinates<d> to = x[3];
+        for (double& c : to) c += 0.3;
+        int refused = 0;
+        for (std::uint64_t n = 0;; ++n) {
+            Periodic_mesh<d> mesh(x, box);
+            mesh.remove(5);
+            const auto cells = cells_of(mesh);
+            const auto counts = mesh.neighbour_counts();
+            const std::vector<Index> free = mesh.saved().free_indices;
+            Move_result done;
+            const auto outcome = starve(n, Memory::short_once, [&] { done = mesh.move(3, to); });
+            if (outcome == Starved::done) {
+                CHECK(done.moves.reinserted == 1);
+                CHECK(mesh.audit().delaunay());
+                CHECK(cells_of(mesh) == cells_of(Periodic_mesh<d>(mesh.saved())));
+                break;
+            }
+            if (outcome != Starved::refused) continue;
+            ++refused;
+            REQUIRE(cells_of(mesh) == cells);
+            REQUIRE(mesh.neighbour_counts() == counts);
+            REQUIRE(mesh.saved().free_indices == free);
+            REQUIRE(mesh.audit().delaunay());
+        }
+        CHECK(refused > 5);
+    }
 }

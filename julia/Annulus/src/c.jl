@@ -336,6 +336,11 @@ function annulus_periodic_move_all(mesh, points, coordinates, box, report)
                  mesh, points, coordinates, box, report)
 end
 
+function annulus_periodic_move(mesh, count, indices, coordinates, report)
+    return ccall((:annulus_periodic_move, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Cdouble}, Ptr{Report}),
+                 mesh, count, indices, coordinates, report)
+end
+
 function annulus_periodic_insert(mesh, count, coordinates, indices)
     return ccall((:annulus_periodic_insert, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Int32}),
                  mesh, count, coordinates, indices)

@@ -119,6 +119,20 @@ int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const doubl
     });
 }
 
+int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* indices, const double* coordinates,
+                          annulus_report* report) {
+    return on(mesh, [&](auto& boxed) {
+        constexpr int d = std::decay_t<decltype(boxed)>::dimension;
+        require_count(count, "vertices");
+        require(indices, count, "indices");
+        require(coordinates, count, "coordinates");
+        require_report(report);
+        require_sound_environment();
+        const Move_result done = boxed.changing().move({indices, count}, as_points<d>(coordinates, count));
+        write_report(report, done, d, boxed.mesh().changes().changed.vertices.size());
+    });
+}
+
 int annulus_periodic_insert(annulus_periodic* mesh, size_t count, const double* coordinates, int32_t* indices) {
     return on(mesh, [&](auto& boxed) {
         constexpr int d = std::decay_t<decltype(boxed)>::dimension;

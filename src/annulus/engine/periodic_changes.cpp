@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -141,33 +140,27 @@ std::vector<Named_pair<d>> edges_of(const Periodic_state<d>& state, const std::v
     return edges;
 }
 
-/// The cell whose corner i is at shifts[i] from its corner 0, in its only form.
+/// The cell of these corners in its only form: an offset that is added to all of them changes neither order nor form.
 template <int d>
 Image_cell<d> in_order(const std::array<Index, static_cast<std::size_t>(d + 1)>& vertices,
                        const std::array<Shift<d>, static_cast<std::size_t>(d + 1)>& shifts) {
     constexpr std::size_t corners = d + 1;
-    Image_cell<d> least;
-    bool is_first = true;
-    // Where the least vertex is several corners, from the one that makes the cell the least.
-    for (std::size_t base = 0; base < corners; ++base) {
-        if (vertices[base] != *std::min_element(vertices.begin(), vertices.end())) continue;
-        std::array<std::pair<Index, Shift<d>>, corners> at;
-        for (std::size_t i = 0; i < corners; ++i) at[i] = {vertices[i], minus<d>(shifts[i], shifts[base])};
-        bool is_odd = false;
-        for (std::size_t i = 0; i < corners; ++i)
-            for (std::size_t j = i + 1; j < corners; ++j) is_odd ^= at[j] < at[i];
-        std::sort(at.begin(), at.end());
-        if (is_odd) std::swap(at[d - 1], at[d]);
-        Image_cell<d> cell;
-        for (std::size_t i = 0; i < corners; ++i) std::tie(cell.vertices[i], cell.offsets[i]) = at[i];
-        if (is_first || cell < least) least = cell;
-        is_first = false;
+    std::array<std::pair<Index, Shift<d>>, corners> at;
+    for (std::size_t i = 0; i < corners; ++i) at[i] = {vertices[i], shifts[i]};
+    bool is_odd = false;
+    for (std::size_t i = 0; i < corners; ++i)
+        for (std::size_t j = i + 1; j < corners; ++j) is_odd ^= at[j] < at[i];
+    std::sort(at.begin(), at.end());
+    if (is_odd) std::swap(at[d - 1], at[d]);
+    Shift<d> lowest = at[0].second;
+    for (const auto& [vertex, shift] : at)
+        for (std::size_t k = 0; k < d; ++k) lowest[k] = std::min(lowest[k], shift[k]);
+    Image_cell<d> cell;
+    for (std::size_t i = 0; i < corners; ++i) {
+        cell.vertices[i] = at[i].first;
+        cell.offsets[i] = minus<d>(at[i].second, lowest);
     }
-    Shift<d> lowest = least.offsets[0];
-    for (const Shift<d>& o : least.offsets)
-        for (std::size_t k = 0; k < d; ++k) lowest[k] = std::min(lowest[k], o[k]);
-    for (Shift<d>& o : least.offsets) o = minus<d>(o, lowest);
-    return least;
+    return cell;
 }
 
 /// A cell, and its name after the change.

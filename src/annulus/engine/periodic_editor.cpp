@@ -152,6 +152,59 @@ void Periodic_editor<d>::remove(Periodic_state<d>& state, std::span<const Index>
     state = std::move(next);
 }
 
+template <int d>
+bool Periodic_editor<d>::move(Periodic_state<d>& state, Index i, const Representative<d>& to) {
+    using enum Periodic_insertion::Outcome;
+    const auto at = static_cast<std::size_t>(i);
+    const auto write = [&] {
+        state.given[at] = state.lattice.imaged(to);
+        state.place[at] = to.place;
+        state.image[at] = to.image;
+    };
+    if (state.place[at] == to.place) {
+        write();
+        return true;
+    }
+    if (state.free.empty() && state.place.size() == Limits::vertices) return false;
+    state.make_room(1);
+    const bool was_free = !state.free.empty();
+    const Index there = state.next_index();  // until the vertex has gone
+    state.put(to);
+    const Periodic_scene<d> scene{state.table, state.lattice, state.place};
+    bool moved = false;
+    try {
+        const Periodic_insertion inserted = inserter_.insert_for_now(scene, there);
+        if (inserted.outcome == taken) {
+            const auto [low, high] = std::minmax(i, inserted.vertex);
+            throw Error(Error_code::duplicate_point,
+                        "vertices " + std::to_string(low) + " and " + std::to_string(high) +
+                            " have, up to vectors of the box, the same position",
+                        {low, high});
+        }
+        if (inserted.outcome == done) {
+            try {
+                moved = !inserter_.has_gaps() && remover_.remove_for_now(scene, i);
+            } catch (...) {
+                inserter_.take_back(state.table);
+                throw;
+            }
+            if (!moved) inserter_.take_back(state.table);
+        }
+    } catch (...) {
+        state.undo_put(there, was_free);
+        throw;
+    }
+    if (moved) {
+        for (const auto made : {inserter_.made(), remover_.made()})  // all cells of the new vertex, and others
+            for (const std::size_t c : made)
+                std::replace(state.table.vertex[c].begin(), state.table.vertex[c].end(), there, i);
+        remover_.keep(state.table);
+        write();
+    }
+    state.undo_put(there, was_free);
+    return moved;
+}
+
 template class Periodic_editor<2>;
 template class Periodic_editor<3>;
 

@@ -10,8 +10,8 @@
 
 namespace annulus::inline v1 {
 
-/// Inserts points into a Periodic_state and removes vertices: near them where that is possible (Periodic_inserter), by
-/// a build otherwise. A call that throws leaves the state as it was. One call at a time.
+/// Inserts points into a Periodic_state and removes or moves vertices: near them where that is possible
+/// (Periodic_inserter), by a build otherwise. A call that throws leaves the state as it was. One call at a time.
 template <int d>
 class Periodic_editor {
   public:
@@ -22,6 +22,9 @@ class Periodic_editor {
     std::vector<Index> insert(Periodic_state<d>& state, std::span<const Coordinates<d>> points);
     /// Throws what Periodic_mesh::remove throws, but for environment.
     void remove(Periodic_state<d>& state, std::span<const Index> indices);
+    /// Moves vertex i to another place, and only what is near the two: it is inserted there, and removed where it was.
+    /// False, with nothing changed, where that is not possible. Throws duplicate_point, too_large and bad_alloc.
+    [[nodiscard]] bool move(Periodic_state<d>& state, Index i, const Representative<d>& to);
 
   private:
     [[nodiscard]] Index insert_one(Periodic_state<d>& state, const Representative<d>& r);
@@ -32,7 +35,7 @@ class Periodic_editor {
 
     Periodic_builder<d>& builder_;
     int threads_;
-    Periodic_inserter<d> inserter_;
+    Periodic_inserter<d> inserter_, remover_;  // remover_: of what moves
 };
 
 extern template class Periodic_editor<2>;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace annulus::inline v1 {
@@ -31,6 +32,9 @@ struct Periodic_state : Placed_points<d> {
     Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box, std::span<const Index> free_indices = {});
     /// In the box of `now`, with its free indices, in memory that has been used before. Throws what the first one does.
     Periodic_state(std::span<const Coordinates<d>> points, const Periodic_state& now, Placed_points<d> memory);
+    /// The same with other places. The table is empty.
+    Periodic_state(const Periodic_state& now, Placed_points<d> places)
+        : Placed_points<d>(std::move(places)), lattice(now.lattice), rounded_box(now.rounded_box), free(now.free) {}
     /// What was saved (Saved_periodic_mesh). Throws bad_input, and what Box throws.
     Periodic_state(const typename Box<d>::Vectors& vectors, std::vector<Coordinates<d>> places,
                    std::vector<Shift<d>> images, std::vector<Index> free_indices);

@@ -105,6 +105,30 @@ bool Periodic_inserter<d>::find_cavity(const Scene& scene, Lifted_cell<d> first,
 
 template <int d>
 Periodic_insertion Periodic_inserter<d>::insert(const Scene& scene, Index v) {
+    const Periodic_insertion inserted = insert_for_now(scene, v);
+    if (inserted.outcome == Periodic_insertion::Outcome::done) keep(scene.table);
+    return inserted;
+}
+
+template <int d>
+bool Periodic_inserter<d>::remove(const Scene& scene, Index v) {
+    if (!remove_for_now(scene, v)) return false;
+    keep(scene.table);
+    return true;
+}
+
+template <int d>
+void Periodic_inserter<d>::take_back(Periodic_table<d>& table) noexcept {
+    region_.undo(table);
+    for (const Lifted_cell<d>& g : gone_)  // the other sides of their facets
+        for (std::size_t i = 0; i <= d; ++i) {
+            const Corner_index t = table.twin[g.cell][i];
+            table.cospherical[table.cell_of(t)][table.slot_of(t)] = table.cospherical[g.cell][i];
+        }
+}
+
+template <int d>
+Periodic_insertion Periodic_inserter<d>::insert_for_now(const Scene& scene, Index v) {
     using enum Periodic_insertion::Outcome;
     begin(scene);
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
@@ -204,7 +228,7 @@ bool Periodic_inserter<d>::triangulate_link(const Scene& scene, Index v) {
 }
 
 template <int d>
-bool Periodic_inserter<d>::remove(const Scene& scene, Index v) {
+bool Periodic_inserter<d>::remove_for_now(const Scene& scene, Index v) {
     begin(scene);
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
     const std::optional<Lifted_cell<d>> found = walk_to(scene.table, scene.lattice, scene.place, p);
@@ -261,7 +285,6 @@ bool Periodic_inserter<d>::settle(const Scene& scene) {
     for (const std::size_t c : region_.made())
         for (std::size_t i = 0; i <= d; ++i) flag(table.twin[c][i]) = 0;
     for (const Corner_index h : cospherical_) flag(h) = flag(twin(h)) = 1;
-    region_.keep(table);
     return true;
 }
 
