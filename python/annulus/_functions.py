@@ -95,7 +95,7 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *, box: ArrayL
         where images of one another are duplicates, too.
     box : array_like, shape (d,) or (d, d), optional
         The lengths of a periodic box, or its vectors as rows, as `MovingDelaunay` takes it. A single point is enough
-        then. There is no hull: the result has no ``"ridges"``, and none of what it says of the paper's tolerances.
+        then. There is no hull: ``"ridges"`` is None; and what the result says of the paper's tolerances is not there.
     thresholds : list of float, optional
         Widths to count below, in mean spacings, 1 to 30 of them: above 0 and finite. In the result they are named as
         Python writes them. By default 1e-3, 1e-6, 1e-9 and 1e-12.

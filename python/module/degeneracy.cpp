@@ -102,7 +102,8 @@ using Values_by_kind = std::array<Values, 3>;  // in the order of Raw_certificat
 
 /// `place` of a point in the array; empty where numbers are the same.
 template <int d>
-Degeneracy_options<d> options_of(const Thresholds& thresholds, Values_by_kind* values, std::span<const Index> place) {
+Degeneracy_options<d> degeneracy_options(const Thresholds& thresholds, Values_by_kind* values,
+                                         std::span<const Index> place) {
     Degeneracy_options<d> options;
     if (thresholds) options.thresholds = *thresholds;
     // With one thread, the callback runs in this thread.
@@ -139,7 +140,8 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
     std::vector<Index> corners;
     mesh.list_cells(x, corners);
     r.simplices = corners.size() / (d + 1);
-    if (r.affine_dimension == d) r.measured = degeneracy(mesh.table(), x, options_of<d>(thresholds, values, place));
+    if (r.affine_dimension == d)
+        r.measured = degeneracy(mesh.table(), x, degeneracy_options<d>(thresholds, values, place));
     r.seconds_analysis = since(built);
     return r;
 }
@@ -156,7 +158,7 @@ Degeneracy_record study_in_box(std::span<const Coordinates<d>> points, const typ
     const auto built = Clock::now();
     r.simplices = mesh.number_of_cells();
     if (points.empty()) throw Error(Error_code::too_few, "degeneracy in a box needs a point");
-    r.measured = degeneracy(mesh, options_of<d>(thresholds, values, {}));
+    r.measured = degeneracy(mesh, degeneracy_options<d>(thresholds, values, {}));
     r.seconds_analysis = since(built);
     return r;
 }

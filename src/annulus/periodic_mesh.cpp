@@ -143,8 +143,8 @@ Move_result Periodic_mesh<d>::move(std::span<const Index> indices, std::span<con
     Periodic_state<d>& state = parts_->state;
     std::vector<Representative<d>> to;
     for (std::size_t k = 0; k < points.size(); ++k) to.push_back(state.lattice.representative(points[k], indices[k]));
-    if (indices.empty()) return {};
     return parts_->changing([&]() -> Move_result {
+        if (indices.empty()) return {};
         if (indices.size() == 1) {
             const bool stays = state.place[static_cast<std::size_t>(indices[0])] == to[0].place;
             if (!stays) parts_->mover.forget();
