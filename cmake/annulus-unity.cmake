@@ -96,12 +96,13 @@ if(ANNULUS_PRECOMPILE)
     foreach(target IN ITEMS annulus-core-objects annulus-arithmetic)
         target_compile_options(${target} PRIVATE ${annulus_quiet_about_precompiled}
                                "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # for ccache
-        target_precompile_headers(${target} PRIVATE
-            <algorithm> <array> <atomic> <bit> <cmath> <functional> <limits> <memory> <optional> <random> <span>
-            <string> <thread> <unordered_map> <vector> <boost/container/small_vector.hpp>
-            <boost/container/static_vector.hpp> <boost/numeric/interval.hpp> <gmpxx.h>
-            <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h> <oneapi/tbb/task_arena.h>)
     endforeach()
+    target_precompile_headers(annulus-core-objects PRIVATE
+        <algorithm> <array> <atomic> <bit> <cmath> <functional> <limits> <memory> <optional> <random> <span>
+        <string> <thread> <unordered_map> <vector> <boost/container/small_vector.hpp>
+        <boost/container/static_vector.hpp> <boost/numeric/interval.hpp> <gmpxx.h>
+        <oneapi/tbb/parallel_for.h> <oneapi/tbb/parallel_pipeline.h> <oneapi/tbb/task_arena.h>)
+    target_precompile_headers(annulus-arithmetic REUSE_FROM annulus-core-objects)
     # Flags of their own
     set_source_files_properties(${annulus_cool_sources} src/annulus/engine/sign_evaluator.cpp
                                 PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
