@@ -14,7 +14,7 @@ struct Cost_model;
 template <>
 struct Cost_model<2> {
     // Per vertex, of a time step:
-    static constexpr double insertion = 68.0;  // all points one by one (CGAL): the reference for the cost of a step
+    static constexpr double insertion = 68.0;  // all points one by one, in the reference library of bench/
     static constexpr double rebuild = 24.0;
     static constexpr double cells = 2.0;  // the signs of everything: cells per vertex
     static constexpr double signs = 2.3;  // plus what is written for each vertex

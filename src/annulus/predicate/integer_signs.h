@@ -30,7 +30,10 @@ template <std::size_t d, std::size_t k>
 [[nodiscard]] std::array<Scaled_point<static_cast<int>(d)>, k> scaled_points(
     const std::array<const std::array<double, d>*, k>& x) {
     std::array<Scaled_point<static_cast<int>(d)>, k> p;
-    for (std::size_t i = 0; i < k; ++i) p[i] = {x[i], grid_scale<static_cast<int>(d)>(*x[i])};
+    for (std::size_t i = 0; i < k; ++i) {
+        const std::array<double, d>& point = *x[i];
+        p[i] = {&point, grid_scale<static_cast<int>(d)>(point)};
+    }
     return p;
 }
 
