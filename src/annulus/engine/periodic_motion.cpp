@@ -60,18 +60,18 @@ Coordinates<d> short_way(const Lattice<d>& lattice) {
 template <int d>
 bool Periodic_motion<d>::relate(const Lattice<d>& from, const Lattice<d>& to) {
     typename Lattice<d>::Matrix old_in_new{};
-    other_basis_ = false;
+    basis_.differs = false;
     for (std::size_t j = 0; j < d; ++j) {
         const Coordinates<d> f = from.in_basis(to.basis()[j]);
         for (std::size_t i = 0; i < d; ++i) {
             const double k = std::nearbyint(f[i]);
             if (!(std::fabs(k) <= most_basis_change)) return false;
             old_in_new[j][i] = static_cast<std::int64_t>(k);
-            other_basis_ = other_basis_ || old_in_new[j][i] != (i == j ? 1 : 0);
+            basis_.differs = basis_.differs || old_in_new[j][i] != (i == j ? 1 : 0);
         }
     }
     if (determinant_of_rows(old_in_new) != 1) return false;
-    to_new_basis_ = inverse(old_in_new);
+    basis_.to_new = inverse(old_in_new);
     return true;
 }
 
@@ -79,32 +79,32 @@ bool Periodic_motion<d>::relate(const Lattice<d>& from, const Lattice<d>& to) {
 template <int d>
 void Periodic_motion<d>::find_home(const Periodic_points<d>& from, const Lattice<d>& to) {
     const std::size_t n = from.place.size();
-    mapped_.resize(n);
-    to_home_.resize(n);
+    mapped_.place.resize(n);
+    mapped_.growth.resize(n);
     const auto& basis = to.basis();
     const auto& grid = to.grid();
     for (std::size_t v = 0; v < n; ++v) {
         if (!is_place<d>(from.place[v])) {  // no vertex
-            mapped_[v] = from.place[v];
-            to_home_[v] = {};
+            mapped_.place[v] = from.place[v];
+            mapped_.growth[v] = {};
             continue;
         }
         const Coordinates<d> f = from.lattice.in_basis(from.place[v]);
         Coordinates<d> g{}, out{};
         for (std::size_t j = 0; j < d; ++j) {
-            for (std::size_t i = 0; i < d; ++i) g[j] += f[i] * static_cast<double>(to_new_basis_[i][j]);
+            for (std::size_t i = 0; i < d; ++i) g[j] += f[i] * static_cast<double>(basis_.to_new[i][j]);
             if (g[j] < -0.5 || g[j] >= 1.5) out[j] = std::floor(g[j]);
             g[j] -= out[j];
         }
         for (std::size_t i = 0; i < d; ++i) {
             double x = 0;
             for (std::size_t j = 0; j < d; ++j) x += g[j] * basis[j][i];
-            mapped_[v][i] = std::nearbyint(x / grid[i]) * grid[i];
+            mapped_.place[v][i] = std::nearbyint(x / grid[i]) * grid[i];
         }
-        to_home_[v] = offset_of<d>(out);
-        wraps_home_ = wraps_home_ || !to_home_[v].is_zero();
+        mapped_.growth[v] = offset_of<d>(out);
+        mapped_.wraps = mapped_.wraps || !mapped_.growth[v].is_zero();
     }
-    home_ = mapped_;
+    home_ = mapped_.place;
 }
 
 /// The goal is the new place, so far.
@@ -129,7 +129,7 @@ bool Periodic_motion<d>::begin(const Periodic_points<d>& from, const Periodic_po
     else
         for (const Index v : wrapped_) to_goal_[static_cast<std::size_t>(v)] = {};
     wrapped_.clear();
-    wraps_home_ = false;
+    mapped_.wraps = false;
     moves_ = from.lattice.basis() != to.lattice.basis();
     if (moves_) find_home(from, to.lattice);
     else home_ = from.place;
@@ -155,7 +155,7 @@ bool Periodic_motion<d>::transform(Offset<d>& o) const {
     const Shift<d> old = o.unpacked();
     Shift<d> s{};
     for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d; ++i) s[j] += old[i] * static_cast<std::int32_t>(to_new_basis_[i][j]);
+        for (std::size_t i = 0; i < d; ++i) s[j] += old[i] * static_cast<std::int32_t>(basis_.to_new[i][j]);
     constexpr std::int32_t room = 16;  // for what is added by vertices
     for (const std::int32_t c : s)
         if (c <= room - Offset<d>::limit || c >= Offset<d>::limit - room) return false;
@@ -165,16 +165,17 @@ bool Periodic_motion<d>::transform(Offset<d>& o) const {
 
 template <int d>
 bool Periodic_motion<d>::relabel_home(Periodic_table<d>& table) const {
-    if (!other_basis_) {
+    if (!basis_.differs) {
         bool small = true;
-        for (std::size_t c = 0; wraps_home_ && c < table.size(); ++c) small = relabel(table, c, to_home_) && small;
+        for (std::size_t c = 0; mapped_.wraps && c < table.size(); ++c)
+            small = relabel(table, c, mapped_.growth) && small;
         return small;
     }
     for (std::size_t c = 0; c < table.size(); ++c) {
         for (std::size_t i = 0; i <= d; ++i) {
             Offset<d>& o = table.offset[c][i];
             if (!transform(o)) return false;
-            o = o + to_home_[static_cast<std::size_t>(table.vertex[c][i])];
+            o = o + mapped_.growth[static_cast<std::size_t>(table.vertex[c][i])];
         }
         if (!normalise<d>(table.offset[c])) return false;
     }

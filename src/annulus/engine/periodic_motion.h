@@ -33,9 +33,9 @@ class Periodic_motion {
     [[nodiscard]] std::span<const Coordinates<d>> home() const { return home_; }
     [[nodiscard]] std::span<Coordinates<d>> goal() { return goal_; }
     /// Whether offsets are others at home than at the old places.
-    [[nodiscard]] bool relabels_home() const { return other_basis_ || wraps_home_; }
+    [[nodiscard]] bool relabels_home() const { return basis_.differs || mapped_.wraps; }
     /// Whether the bases are different vectors.
-    [[nodiscard]] bool changes_box() const { return home_.data() == mapped_.data(); }
+    [[nodiscard]] bool changes_box() const { return home_.data() == mapped_.place.data(); }
     /// The vertices whose goals are not their new places: offsets in their cells are others there.
     [[nodiscard]] std::span<const Index> wrapped() const { return wrapped_; }
     /// By how much the offsets of its corners are greater there.
@@ -51,12 +51,23 @@ class Periodic_motion {
     void find_goal(std::size_t v, const Lattice<d>& to);
     [[nodiscard]] bool transform(Offset<d>& o) const;
 
+    struct Basis_change {
+        typename Lattice<d>::Matrix to_new{};  ///< row j: old basis vector j as a combination of the new ones
+        bool differs = false;
+    };
+    /// Home, where that is not the old places.
+    struct Mapped {
+        std::vector<Coordinates<d>> place;
+        std::vector<Offset<d>> growth;  ///< by vertex: what the offsets of its corners grow by
+        bool wraps = false;             ///< some do
+    };
+    Basis_change basis_;
+    Mapped mapped_;
     std::span<const Coordinates<d>> home_;
-    std::vector<Coordinates<d>> mapped_, goal_;   // mapped_: home, where that is not the old places
-    std::vector<Offset<d>> to_home_, to_goal_;    // by vertex: what the offsets of its corners grow by
-    std::vector<Index> wrapped_;                  // vertices whose to_goal_ is not 0
-    typename Lattice<d>::Matrix to_new_basis_{};  // row j: old basis vector j as a combination of the new ones
-    bool other_basis_ = false, wraps_home_ = false, moves_ = false;
+    std::vector<Coordinates<d>> goal_;
+    std::vector<Offset<d>> to_goal_;  // by vertex: what the offsets of its corners grow by
+    std::vector<Index> wrapped_;      // vertices whose to_goal_ is not 0
+    bool moves_ = false;
 };
 
 extern template class Periodic_motion<2>;

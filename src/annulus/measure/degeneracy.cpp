@@ -57,25 +57,25 @@ class Degeneracy_scan {
             from.clear();
             return true;
         };
-        for (; next_facet_ != t_.facet_bound(); ++next_facet_) {
-            if (bicells_.id.size() == batch) return give(Kind::bicells, bicells_, slot.bicells);
-            if (ridges_.id.size() == batch) return give(Kind::ridges, ridges_, slot.facets);
-            if (border_.id.size() == batch) return give(Kind::border, border_, slot.facets);
-            if (t_.is_facet(next_facet_)) append(next_facet_);
+        for (; filling_.next_facet != t_.facet_bound(); ++filling_.next_facet) {
+            if (filling_.bicells.id.size() == batch) return give(Kind::bicells, filling_.bicells, slot.bicells);
+            if (filling_.ridges.id.size() == batch) return give(Kind::ridges, filling_.ridges, slot.facets);
+            if (filling_.border.id.size() == batch) return give(Kind::border, filling_.border, slot.facets);
+            if (t_.is_facet(filling_.next_facet)) append(filling_.next_facet);
         }
-        if (!bicells_.id.empty()) return give(Kind::bicells, bicells_, slot.bicells);
-        if (!ridges_.id.empty()) return give(Kind::ridges, ridges_, slot.facets);
-        if (!border_.id.empty()) return give(Kind::border, border_, slot.facets);
-        for (; next_cell_ != t_.cell_bound() && cells_.id.size() < batch; ++next_cell_)
-            if (t_.is_cell(next_cell_) && !t_.is_infinite(next_cell_))
-                cells_.append(next_cell_, cell_sites(t_, next_cell_), x_);
-        return !cells_.id.empty() && give(Kind::cells, cells_, slot.cells);
+        if (!filling_.bicells.id.empty()) return give(Kind::bicells, filling_.bicells, slot.bicells);
+        if (!filling_.ridges.id.empty()) return give(Kind::ridges, filling_.ridges, slot.facets);
+        if (!filling_.border.id.empty()) return give(Kind::border, filling_.border, slot.facets);
+        for (; filling_.next_cell != t_.cell_bound() && filling_.cells.id.size() < batch; ++filling_.next_cell)
+            if (t_.is_cell(filling_.next_cell) && !t_.is_infinite(filling_.next_cell))
+                filling_.cells.append(filling_.next_cell, cell_sites(t_, filling_.next_cell), x_);
+        return !filling_.cells.id.empty() && give(Kind::cells, filling_.cells, slot.cells);
     }
     void append(Corner_index h) {
         switch (facet_kind(t_, h)) {
-            case Facet_kind::empty_sphere: bicells_.append(h, bicell_sites(t_, h), x_); break;
-            case Facet_kind::ridge: ridges_.append(h, ridge_vertex_last(t_, h, ridge_sites(t_, h)), x_); break;
-            default: border_.append(h, slab_sites(t_, h), x_); break;
+            case Facet_kind::empty_sphere: filling_.bicells.append(h, bicell_sites(t_, h), x_); break;
+            case Facet_kind::ridge: filling_.ridges.append(h, ridge_vertex_last(t_, h, ridge_sites(t_, h)), x_); break;
+            default: filling_.border.append(h, slab_sites(t_, h), x_); break;
         }
     }
 
@@ -138,12 +138,15 @@ class Degeneracy_scan {
     const Degeneracy_options<d>& options_;
     Certificate_sums<d> sums_;
     Paper_tolerance<d> paper_;
-    // What fills slots.
-    Corner_index next_facet_{0};
-    Cell_index next_cell_{0};
-    Bicell_batch<d> bicells_;
-    Facets ridges_, border_;
-    Cells cells_;
+    /// What fills slots.
+    struct Filling {
+        Corner_index next_facet{0};
+        Cell_index next_cell{0};
+        Bicell_batch<d> bicells;
+        Facets ridges, border;
+        Cells cells;
+    };
+    Filling filling_;
 };
 
 }  // namespace

@@ -30,16 +30,16 @@ class Exact_star {
                 for (const double x : points[static_cast<std::size_t>(i)]) numbers.push_back(x);
         Scaled_integers exactly(numbers);
         exponent_ = exactly.exponent;
-        corner_.resize(around.size());
-        own_.resize(around.size());
+        star_.corner.resize(around.size());
+        star_.own.resize(around.size());
         auto next = exactly.integer.begin();
         for (std::size_t k = 0; k < around.size(); ++k) {
             const auto& cell = cells.vertices[around[k]];
-            own_[k] = static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
-            for (auto& corner : corner_[k])
+            star_.own[k] = static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
+            for (auto& corner : star_.corner[k])
                 for (mpz_class& x : corner) x = std::move(*next++);
-            const Integers<d> origin = corner_[k][own_[k]];
-            for (auto& corner : corner_[k]) corner = Euclidean<d>::difference(corner, origin, Exact_minus());
+            const Integers<d> origin = star_.corner[k][star_.own[k]];
+            for (auto& corner : star_.corner[k]) corner = Euclidean<d>::difference(corner, origin, Exact_minus());
             note_circumcentre(k);
         }
     }
@@ -60,14 +60,14 @@ class Exact_star {
     void note_circumcentre(std::size_t k) {
         std::array<const Integers<d>*, static_cast<std::size_t>(d)> others{};
         for (std::size_t i = 0, n = 0; i <= d; ++i)
-            if (i != own_[k]) others[n++] = &corner_[k][i];
+            if (i != star_.own[k]) others[n++] = &star_.corner[k][i];
         const auto note = [&](auto&& t) {
             if (sgn(t.denominator) == 0)
                 throw Error(
                     Error_code::bad_input, "a cell is flat: its Voronoi vertex is nowhere",
                     std::vector<std::int64_t>(cells_.vertices[around_[k]].begin(), cells_.vertices[around_[k]].end()));
-            numerator_.push_back(std::move(t.numerator));
-            denominator_.push_back(2 * t.denominator);
+            centres_.numerator.push_back(std::move(t.numerator));
+            centres_.denominator.push_back(2 * t.denominator);
         };
         if constexpr (d == 2) note(Circumcentre_2<mpz_class>(*others[0], *others[1]));
         else note(Circumcentre_3<mpz_class>(*others[0], *others[1], *others[2]));
@@ -75,12 +75,12 @@ class Exact_star {
 
     /// In units of 2^-q; each coordinate is less than one unit off.
     void round_circumcentres(mp_bitcnt_t q) {
-        centre_.resize(around_.size());
+        centres_.rounded.resize(around_.size());
         for (std::size_t k = 0; k < around_.size(); ++k)
             for (std::size_t i = 0; i < d; ++i) {
-                mpz_class& x = centre_[k][i];
-                mpz_mul_2exp(x.get_mpz_t(), numerator_[k][i].get_mpz_t(), q);
-                mpz_tdiv_q(x.get_mpz_t(), x.get_mpz_t(), denominator_[k].get_mpz_t());
+                mpz_class& x = centres_.rounded[k][i];
+                mpz_mul_2exp(x.get_mpz_t(), centres_.numerator[k][i].get_mpz_t(), q);
+                mpz_tdiv_q(x.get_mpz_t(), x.get_mpz_t(), centres_.denominator[k].get_mpz_t());
             }
     }
 
@@ -90,7 +90,7 @@ class Exact_star {
         bound_ = 0;
         for (std::size_t k = 0; k < around_.size(); ++k)
             for (std::size_t i = 0; i <= d; ++i) {
-                if (i == own_[k]) continue;
+                if (i == star_.own[k]) continue;
                 const std::size_t other = static_cast<std::size_t>(cells_.neighbours[around_[k]][i]);
                 if (other <= around_[k]) continue;
                 const auto found = std::lower_bound(around_.begin(), around_.end(), other);
@@ -98,20 +98,20 @@ class Exact_star {
                     throw Error(Error_code::bad_input,
                                 "neighbours of the cells around vertex " + std::to_string(v_) + " do not go round it",
                                 {v_});
-                const Integers<d>& from = centre_[k];
-                const Integers<d>& to = centre_[static_cast<std::size_t>(found - around_.begin())];
+                const Integers<d>& from = centres_.rounded[k];
+                const Integers<d>& to = centres_.rounded[static_cast<std::size_t>(found - around_.begin())];
                 if constexpr (d == 2) add(edge(k, facet_corners<2>[i][0], facet_corners<2>[i][1]), from, to);
                 else
                     for (std::size_t e = 0; e < 3; ++e) {
                         const std::size_t p = facet_corners<3>[i][e];
                         const std::size_t q = facet_corners<3>[i][(e + 1) % 3];
-                        if (p == own_[k] || q == own_[k]) add(edge(k, p, q), from, to);
+                        if (p == star_.own[k] || q == star_.own[k]) add(edge(k, p, q), from, to);
                     }
             }
     }
 
     Integers<d> edge(std::size_t k, std::size_t p, std::size_t q) const {
-        return Euclidean<d>::difference(corner_[k][q], corner_[k][p], Exact_minus());
+        return Euclidean<d>::difference(star_.corner[k][q], star_.corner[k][p], Exact_minus());
     }
 
     static mpz_class size(const Integers<d>& x) {
@@ -148,11 +148,18 @@ class Exact_star {
     Index v_;
     std::span<const std::size_t> around_;
     long exponent_ = 0;
-    std::vector<std::array<Integers<d>, static_cast<std::size_t>(d + 1)>> corner_;
-    std::vector<std::size_t> own_;  // which corner is v
-    std::vector<Integers<d>> numerator_;
-    std::vector<mpz_class> denominator_;
-    std::vector<Integers<d>> centre_;
+    struct Star {
+        std::vector<std::array<Integers<d>, static_cast<std::size_t>(d + 1)>> corner;
+        std::vector<std::size_t> own;  ///< which corner is v
+    };
+    Star star_;
+    /// Circumcentres from v on: numerator / denominator, and rounded in the unit of the sum.
+    struct Centres {
+        std::vector<Integers<d>> numerator;
+        std::vector<mpz_class> denominator;
+        std::vector<Integers<d>> rounded;
+    };
+    Centres centres_;
     mpz_class sum_, bound_;
 };
 
