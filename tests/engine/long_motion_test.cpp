@@ -68,7 +68,7 @@ std::vector<std::uint64_t> diary(Strategy strategy, std::uint64_t mess) {
 
 }  // namespace
 
-TEST_CASE("A shear of eight thousand steps stays right", "[long]") {
+TEST_CASE("A shear of eight thousand steps stays right", "[deep][long]") {
     for (const Strategy strategy :
          {Strategy::tolerances, Strategy::paper, Strategy::automatic, Strategy::tolerances_each}) {
         CAPTURE(name_of(strategy));

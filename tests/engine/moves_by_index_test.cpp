@@ -201,7 +201,7 @@ void check_far(Strategy strategy, std::size_t n, std::size_t movers, double spac
 
 }  // namespace
 
-TEST_CASE("A few vertices that go far are reinserted, and cost about that", "[engine][moves]") {
+TEST_CASE("A few vertices that go far are reinserted, and cost about that", "[deep][engine][moves]") {
     for (const Strategy strategy : {Strategy::automatic, Strategy::in_place})
         for (const double spacings : {1.0, 10.0}) {
             check_far<2>(strategy, 4000, 1, spacings);

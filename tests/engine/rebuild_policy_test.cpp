@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE_SIG("A 64th of the vertices moves one by one, one vertex more
 
 // The first one alone costs so much that all movers would cost more than a rebuild, if they were like it. In 3D that is
 // so where points are nearly degenerate: of uniform points each is reinserted for less.
-TEMPLATE_TEST_CASE_SIG("One mover that costs much is no evidence that all of them do, dimension", "[engine]",
+TEMPLATE_TEST_CASE_SIG("One mover that costs much is no evidence that all of them do, dimension", "[deep][engine]",
                        ((int d), d), 2, 3) {
     constexpr std::size_t n = 12800, movers = n / 64;
     Positions<d> points = uniform<d>(n);

@@ -196,7 +196,7 @@ TEST_CASE("Facets and cells of 3D Voronoi diagrams are those cut out exactly, po
         for (const Set_3 set : all_sets_3) {
             const auto seed = static_cast<std::uint64_t>(6000 + i);
             Random random(seed);
-            const Points_3 x = point_set(set, 8 + random() % 10, random);
+            const Points_3 x = point_set(set, 7 + random() % 7, random);
             INFO(name_of(set) << ", seed " << seed << "\n" << as_code(x));
             empty += check_all<3>(x);
         }

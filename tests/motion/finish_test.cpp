@@ -123,7 +123,7 @@ TEST_CASE("the least dihedral angle rises, and the mesh stays Delaunay with the 
     }
 }
 
-TEST_CASE("the finish is the same again, whatever the order of the cells", "[motion][finish]") {
+TEST_CASE("the finish is the same again, whatever the order of the cells", "[deep][motion][finish]") {
     Ball_mesh one(3, 120, 80), two(3, 120, 80), three(3, 120, 80);
     const Points result = finished(one);
     CHECK(result != two.vertices.position);

@@ -88,7 +88,7 @@ TEST_CASE("nearest points are the same whatever was kept of earlier questions", 
         Nearby_3 nearby;
         Coordinates<3> p = surface.surface_sample(1, 5)[0], near = p;
         std::size_t same_ball = 0;
-        for (int step = 0; step < (log_stride < 0 ? 1500 : 150); ++step) {  // CGAL is slow for far points
+        for (int step = 0; step < (log_stride < 0 ? 600 : 150); ++step) {  // CGAL is slow for far points
             const double stride =
                 size * std::pow(10, log_stride < 0 ? log_stride : log_stride * std::abs(number()) - 2);
             for (double& x : p) x += stride * number();
