@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_changes.h>
 
+#include <annulus/space/basis_relation.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,9 +17,6 @@ namespace {
 constexpr double most_factor = 64;  // a factor of an old vector in a new one
 
 template <int d>
-using Matrix = std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)>;
-
-template <int d>
 Shift<d> minus(Shift<d> l, const Shift<d>& r) {
     for (std::size_t i = 0; i < d; ++i) l[i] -= r[i];
     return l;
@@ -26,18 +25,11 @@ Shift<d> minus(Shift<d> l, const Shift<d>& r) {
 /// row times m.
 template <int d, class T>
 std::array<T, static_cast<std::size_t>(d)> product(const std::array<T, static_cast<std::size_t>(d)>& row,
-                                                   const Matrix<d>& m) {
+                                                   const Integer_matrix<d>& m) {
     std::array<T, static_cast<std::size_t>(d)> out{};
     for (std::size_t j = 0; j < d; ++j)
         for (std::size_t i = 0; i < d; ++i) out[i] += row[j] * static_cast<T>(m[j][i]);
     return out;
-}
-
-/// m with row k replaced.
-template <class Rows, class Row>
-Rows with_row(Rows m, std::size_t k, const Row& row) {
-    m[k] = row;
-    return m;
 }
 
 /// Coordinates in these vectors, by Cramer's rule.
@@ -49,36 +41,16 @@ Coordinates<d> in_vectors(const typename Box<d>::Vectors& vectors, const Coordin
     return f;
 }
 
-/// The inverse of a matrix of determinant 1 or -1.
-template <int d>
-Matrix<d> inverse(const Matrix<d>& m, std::int64_t determinant) {
-    Matrix<d> w{};
-    for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d; ++i) {
-            std::array<std::int64_t, static_cast<std::size_t>(d)> unit{};
-            unit[j] = 1;
-            w[j][i] = determinant * determinant_of_rows(with_row(m, i, unit));
-        }
-    return w;
-}
-
 /// How shifts between given points before a change are written after it.
 template <int d>
 class Renaming {
   public:
     Renaming(const Periodic_state<d>& before, const Periodic_state<d>& after) {
-        Matrix<d> new_in_old{};
-        for (std::size_t j = 0; j < d; ++j) {
-            const Coordinates<d> f = in_vectors<d>(before.lattice.box(), after.lattice.box()[j]);
-            for (std::size_t i = 0; i < d; ++i) {
-                const double k = std::nearbyint(f[i]);
-                if (!(std::fabs(k) <= most_factor)) return;
-                new_in_old[j][i] = static_cast<std::int64_t>(k);
-            }
-        }
-        const std::int64_t determinant = determinant_of_rows(new_in_old);
-        if (determinant != 1 && determinant != -1) return;
-        to_new_ = inverse<d>(new_in_old, determinant);
+        const auto related = basis_relation<d>(after.lattice.box(), most_factor, [&](const Coordinates<d>& v) {
+            return in_vectors<d>(before.lattice.box(), v);
+        });
+        if (!related) return;
+        to_new_ = related->to_new;
         is_related_ = true;
         turns_.resize(std::max(before.place.size(), after.place.size()));
         for (std::size_t v = 0; v < std::min(before.place.size(), after.place.size()); ++v) {
@@ -101,7 +73,7 @@ class Renaming {
     }
 
   private:
-    Matrix<d> to_new_{};           // row j: old vector j as a combination of the new ones
+    Integer_matrix<d> to_new_{};   // row j: old vector j as a combination of the new ones
     std::vector<Shift<d>> turns_;  // by vertex: its new position less the affine image of its old one, in boxes
     bool is_related_ = false;
 };

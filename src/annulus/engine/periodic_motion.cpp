@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_motion.h>
 
+#include <annulus/space/basis_relation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,17 +18,6 @@ Offset<d> offset_of(const Coordinates<d>& whole) {
     Shift<d> o;
     for (std::size_t j = 0; j < d; ++j) o[j] = static_cast<std::int32_t>(whole[j]);
     return Offset<d>(o);
-}
-
-/// The inverse of a matrix of determinant 1.
-Lattice<2>::Matrix inverse(const Lattice<2>::Matrix& m) { return {{{m[1][1], -m[0][1]}, {-m[1][0], m[0][0]}}}; }
-Lattice<3>::Matrix inverse(const Lattice<3>::Matrix& m) {
-    Lattice<3>::Matrix w;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            w[j][i] = m[(i + 1) % 3][(j + 1) % 3] * m[(i + 2) % 3][(j + 2) % 3] -
-                      m[(i + 1) % 3][(j + 2) % 3] * m[(i + 2) % 3][(j + 1) % 3];
-    return w;
 }
 
 /// Adds an offset to each corner of a cell, by its vertex, and restores the normal form.
@@ -56,22 +47,15 @@ Coordinates<d> short_way(const Lattice<d>& lattice) {
 
 }  // namespace
 
-/// The new basis vectors in the old basis, to the nearest integers, and the inverse of this matrix.
 template <int d>
 bool Periodic_motion<d>::relate(const Lattice<d>& from, const Lattice<d>& to) {
-    typename Lattice<d>::Matrix old_in_new{};
+    const auto related =
+        basis_relation<d>(to.basis(), most_basis_change, [&](const Coordinates<d>& v) { return from.in_basis(v); });
+    if (!related || related->determinant != 1) return false;
+    basis_.to_new = related->to_new;
     basis_.differs = false;
-    for (std::size_t j = 0; j < d; ++j) {
-        const Coordinates<d> f = from.in_basis(to.basis()[j]);
-        for (std::size_t i = 0; i < d; ++i) {
-            const double k = std::nearbyint(f[i]);
-            if (!(std::fabs(k) <= most_basis_change)) return false;
-            old_in_new[j][i] = static_cast<std::int64_t>(k);
-            basis_.differs = basis_.differs || old_in_new[j][i] != (i == j ? 1 : 0);
-        }
-    }
-    if (determinant_of_rows(old_in_new) != 1) return false;
-    basis_.to_new = inverse(old_in_new);
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) basis_.differs = basis_.differs || basis_.to_new[j][i] != (i == j ? 1 : 0);
     return true;
 }
 
