@@ -101,7 +101,7 @@ void say(const ordered_json& out, const std::string& file) {
 /// All points are elsewhere in each repetition, so that both rebuild. The first repetition does not count.
 template <int d>
 void rebuilds(const Choice& c) {
-    std::vector<std::string> names{"open", "periodic", "open anew", "periodic anew"};
+    std::vector<std::string> names{"open", "periodic", "open constructor", "periodic constructor"};
     if (d == 3 && c.cgal) names.emplace_back("cgal");
     Columns columns(names);
     const auto scene = [&](int k) {

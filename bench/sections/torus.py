@@ -13,7 +13,7 @@ def torus(bench):
     yield from ["## Periodic boxes", "",
                 "`Periodic_mesh` in a cube or square, and `Moving_mesh` of the same uniform points, whose boundaries "
                 "are open, in turn; medians. \"Moved\": all points are elsewhere, and both rebuild (the open one by "
-                "the strategy `rebuild`). \"Anew\": both constructors. CGAL's is the insertion of a range into "
+                "the strategy `rebuild`). \"Constructed\": both constructors. CGAL's is the insertion of a range into "
                 "`Periodic_3_Delaunay_triangulation_3`, for many points.", "",
                 "| | periodic / open | of repetitions | must | reached | aim | open, ns | periodic, ns "
                 "| CGAL Periodic_3 / ours | must | reached | aim | right |",
@@ -24,7 +24,8 @@ def torus(bench):
             options = {"cgal": True} if d == 3 else {}
             r = bench.call("annulus-torus", dimension=d, points=n, repeat=3 if bench.quick or n > 10000 else 9,
                            **options)[0]
-            for name, open_, ours in (("moved", "open", "periodic"), ("anew", "open anew", "periodic anew")):
+            for name, open_, ours in (("moved", "open", "periodic"),
+                                      ("constructed", "open constructor", "periodic constructor")):
                 ratio = r[ours]["ratio"] / r[open_]["ratio"]
                 spread = f"{r[ours]['ratio_low']:.2f} to {r[ours]['ratio_high']:.2f}" if open_ == "open" else ""
                 cgal = r["cgal"]["ns"] / r[ours]["ns"] if "cgal" in r else None

@@ -7,8 +7,10 @@
 #include <support/catch.h>
 #include <support/cells_of_periodic.h>
 #include <support/failing_new.h>
+#include <support/moving_box.h>
 #include <support/periodic_boxes.h>
 #include <support/repeats.h>
+#include <support/safe_tolerances.h>
 
 #include <algorithm>
 #include <array>
@@ -21,149 +23,6 @@ using namespace annulus::testing;
 
 namespace {
 
-enum class Moving { jitter, strain, shear, drift, few, turn, basis, oscillation, wraps, rest };
-constexpr std::array all_moving{Moving::jitter, Moving::strain, Moving::shear,       Moving::drift, Moving::few,
-                                Moving::turn,   Moving::basis,  Moving::oscillation, Moving::wraps, Moving::rest};
-
-/// Points and a box that move in one of these ways, by a part of the mean spacing in each step.
-template <int d>
-class Motion {
-  public:
-    Motion(Moving how, int kind, std::size_t n, double step)
-        : cases_(1000 * n + 10 * static_cast<std::size_t>(kind) + static_cast<std::size_t>(how)),
-          how_(how),
-          step_(step),
-          vectors_(cases_.box<d>(kind).vectors()),
-          x_(cases_.points<d>(Box<d>(vectors_), n, 1)) {}
-
-    void advance() {
-        ++steps_;
-        const double spacing = std::pow(Box<d>(vectors_).volume() / static_cast<double>(x_.size()), 1.0 / d);
-        const double jitter = step_ * spacing;
-        switch (how_) {
-            case Moving::strain: deform(by_stretch(1 + 0.1 * step_)); break;
-            case Moving::oscillation: {
-                Matrix m = by_stretch(1);
-                m[0][0] += step_ * std::sin(0.3 * steps_);
-                m[d - 1][0] += step_ * std::cos(0.2 * steps_);
-                deform(m);
-                break;
-            }
-            case Moving::shear: {
-                Matrix m = by_stretch(1);
-                m[0][1] += step_;
-                deform(m);
-                reduce_tilt();
-                break;
-            }
-            case Moving::turn: {
-                Matrix m = by_stretch(1);
-                m[0][0] = m[1][1] = std::cos(step_);
-                m[0][1] = -std::sin(step_);
-                m[1][0] = std::sin(step_);
-                deform(m);
-                break;
-            }
-            case Moving::drift:
-                for (auto& p : x_)
-                    for (std::size_t i = 0; i < d; ++i) p[i] += jitter * (1.0 + static_cast<double>(i));
-                break;
-            case Moving::basis:
-                if (steps_ % 4 == 0) add_vector();
-                break;
-            case Moving::wraps:
-                for (auto& p : x_)
-                    for (std::size_t i = 0; i < d; ++i)
-                        p[i] += (static_cast<double>(cases_.below(5)) - 2) * vectors_[0][i];
-                break;
-            default: break;
-        }
-        if (how_ == Moving::rest && steps_ % 3 != 0) return;
-        for (std::size_t v = 0; v < x_.size(); ++v) {
-            const double most = how_ != Moving::few ? 0.3 * jitter : v % 16 == 3 ? 20 * jitter : 0;
-            for (double& c : x_[v]) c += cases_.uniform(-most, most);
-        }
-    }
-    [[nodiscard]] Box<d> box() const { return Box<d>(vectors_); }
-    [[nodiscard]] const std::vector<Coordinates<d>>& points() const { return x_; }
-
-  private:
-    using Matrix = std::array<Coordinates<d>, static_cast<std::size_t>(d)>;
-
-    static Matrix by_stretch(double factor) {
-        Matrix m{};
-        for (std::size_t i = 0; i < d; ++i) m[i][i] = factor;
-        return m;
-    }
-    void deform(const Matrix& m) {
-        const auto apply = [&](Coordinates<d>& p) {
-            const auto old = p;
-            for (std::size_t i = 0; i < d; ++i) {
-                p[i] = 0;
-                for (std::size_t k = 0; k < d; ++k) p[i] += m[i][k] * old[k];
-            }
-        };
-        for (auto& v : vectors_) apply(v);
-        for (auto& p : x_) apply(p);
-    }
-    /// As programs of molecular dynamics do.
-    void reduce_tilt() {
-        double along = 0, square = 0;
-        for (std::size_t i = 0; i < d; ++i) {
-            along += vectors_[1][i] * vectors_[0][i];
-            square += vectors_[0][i] * vectors_[0][i];
-        }
-        for (std::size_t i = 0; i < d; ++i) vectors_[1][i] -= std::round(along / square) * vectors_[0][i];
-    }
-    void add_vector() {
-        auto next = vectors_;
-        const double sign = cases_.below(2) == 0 ? 1 : -1;
-        for (std::size_t i = 0; i < d; ++i) next[1][i] += sign * next[0][i];
-        try {
-            (void)Box<d>(next);
-            vectors_ = next;
-        } catch (const Error&) {  // too skewed
-        }
-    }
-
-    Periodic_cases cases_;
-    Moving how_;
-    double step_;
-    typename Box<d>::Vectors vectors_;
-    std::vector<Coordinates<d>> x_;
-    int steps_ = 0;
-};
-
-/// Every point is moved by nearly its tolerance in some direction: no cell may change.
-template <int d>
-void expect_safe_tolerances(const Periodic_mesh<d>& mesh, Periodic_cases& cases) {
-    const std::vector<double> tolerance = mesh.tolerances();
-    REQUIRE(tolerance.size() == mesh.index_bound());
-    // The places are exact, also given again in the box as it was given.
-    Periodic_mesh<d> pushed(mesh.saved(), {.strategy = Periodic_strategy::signs});
-    std::vector<Coordinates<d>> x(mesh.places().begin(), mesh.places().end());
-    CHECK(pushed.move_all(x).statistics.flips == 0);
-    const auto before = cells_of(pushed);
-    for (std::size_t v = 0; v < x.size(); ++v) {
-        if (!mesh.is_vertex(static_cast<Index>(v))) {
-            CHECK(std::isnan(tolerance[v]));
-            continue;
-        }
-        CHECK(tolerance[v] >= 0);
-        Coordinates<d> way;
-        double squares = 0;
-        for (double& c : way) {
-            c = cases.uniform(-1, 1);
-            squares += c * c;
-        }
-        for (std::size_t i = 0; i < d; ++i) x[v][i] += 0.9999 * tolerance[v] * way[i] / std::sqrt(squares);
-    }
-    const Move_result result = pushed.move_all(x);
-    CHECK(result.statistics.flips == 0);
-    CHECK(result.moves.rebuilt == 0);
-    CHECK(cells_of(pushed) == before);
-}
-
 struct Met {
     std::uint64_t asked = 0, within = 0, flips = 0, rebuilt = 0, tolerance_steps = 0, recomputations = 0;
     double mean_tolerance = 0;  // in spacings
@@ -172,7 +31,7 @@ struct Met {
 template <int d>
 Met expect_same_cells(Moving how, int kind, std::size_t n, double step, int steps) {
     CAPTURE(d, static_cast<int>(how), kind, n, step);
-    Motion<d> motion(how, kind, n, step);
+    Moving_box<d> motion(how, kind, n, step);
     Periodic_cases cases(n + 7);
     Periodic_mesh<d> mesh(motion.points(), motion.box(), {.strategy = Periodic_strategy::tolerances});
     Periodic_mesh<d> signs(motion.points(), motion.box(), {.strategy = Periodic_strategy::signs});
@@ -344,12 +203,12 @@ void expect_mixed_calls() {
 template <int d>
 void expect_starved_moves() {
     CAPTURE(d);
-    Motion<d> motion(Moving::shear, 0, 30, 0.02);
+    Moving_box<d> motion(Moving::shear, 0, 30, 0.02);
     Periodic_cases cases(2);
     int refused = 0, kept = 0;
     for (std::uint64_t n = 0;; ++n) {
         Periodic_mesh<d> mesh(motion.points(), motion.box(), {.strategy = Periodic_strategy::tolerances});
-        Motion<d> next = motion;
+        Moving_box<d> next = motion;
         for (int k = 0; k < 2; ++k) {
             next.advance();
             (void)mesh.move_all(next.points(), next.box());
@@ -380,7 +239,7 @@ void expect_starved_moves() {
 template <int d>
 void expect_same_results_for_threads() {
     CAPTURE(d);
-    Motion<d> motion(Moving::strain, 0, 1500, 0.01);
+    Moving_box<d> motion(Moving::strain, 0, 1500, 0.01);
     Periodic_mesh<d> one(motion.points(), motion.box(), {.strategy = Periodic_strategy::tolerances});
     Periodic_mesh<d> three(motion.points(), motion.box(), {.threads = 3, .strategy = Periodic_strategy::tolerances});
     for (int k = 0; k < 3; ++k) {
@@ -450,48 +309,4 @@ TEST_CASE("Periodic tolerances are right where a move runs out of memory", "[eng
 TEST_CASE("Periodic tolerances do not depend on the number of threads", "[engine][periodic]") {
     expect_same_results_for_threads<2>();
     expect_same_results_for_threads<3>();
-}
-
-TEST_CASE("Tolerances of a strategy that keeps none are those of all certificates", "[engine][periodic]") {
-    Periodic_cases cases(4);
-    Motion<3> motion(Moving::jitter, 4, 60, 1e-4);
-    Periodic_mesh<3> kept(motion.points(), motion.box(), {.strategy = Periodic_strategy::tolerances});
-    Periodic_mesh<3> by_signs(motion.points(), motion.box(), {.strategy = Periodic_strategy::signs});
-    for (int k = 0; k < 4; ++k) {
-        motion.advance();
-        (void)kept.move_all(motion.points(), motion.box());
-        CHECK(by_signs.move_all(motion.points(), motion.box()).statistics.tolerance_recomputations == 0);
-        expect_safe_tolerances(by_signs, cases);
-        const auto left = kept.tolerances(), all = by_signs.tolerances();
-        double sum_left = 0, sum_all = 0;
-        for (std::size_t v = 0; v < all.size(); ++v) {
-            sum_left += left[v];
-            sum_all += all[v];
-        }
-        CHECK(2 * sum_left > sum_all);
-    }
-}
-
-TEST_CASE("By default tolerances are kept while they pay", "[engine][periodic]") {
-    Motion<3> slow(Moving::strain, 0, 600, 1e-6), fast(Moving::jitter, 0, 600, 0.2);
-    Periodic_mesh<3> mesh(slow.points(), slow.box());
-    std::uint64_t by_tolerances = 0, by_signs = 0;
-    for (int k = 0; k < 20; ++k) {
-        slow.advance();
-        by_tolerances += mesh.move_all(slow.points(), slow.box()).statistics.tolerance_steps;
-    }
-    CHECK(by_tolerances >= 18);
-    Periodic_mesh<3> rapid(fast.points(), fast.box());
-    for (int k = 0; k < 10; ++k) {
-        fast.advance();
-        by_signs += rapid.move_all(fast.points(), fast.box()).statistics.sign_steps;
-    }
-    CHECK(by_signs == 10);
-}
-
-TEST_CASE("Strategies of periodic boxes have names", "[engine][periodic]") {
-    for (const Periodic_strategy s :
-         {Periodic_strategy::automatic, Periodic_strategy::signs, Periodic_strategy::tolerances})
-        CHECK(periodic_strategy_named(name_of(s)) == s);
-    CHECK(!periodic_strategy_named("rebuild"));
 }

@@ -77,9 +77,7 @@ bool Tolerance_policy<d>::evaluate_sample(const Corner_table<d>& table, Certific
 template <int d>
 double Tolerance_policy<d>::expired_share(const Certificate_checker<d>& checker) const {
     double sum = 0.0;
-    std::size_t sampled = 0;
     for (const auto& s : checker.facets()) {
-        if (s.kind != Facet_kind::empty_sphere) continue;
         double fastest = 0.0;
         for (const auto& [v, label] : s.point)
             fastest =
@@ -87,9 +85,8 @@ double Tolerance_policy<d>::expired_share(const Certificate_checker<d>& checker)
         const double way = std::sqrt(fastest);
         const double room = s.value.tolerance;
         sum += way < room ? way / room : way > 0.0 ? 1.0 : 0.0;
-        ++sampled;
     }
-    return sum / static_cast<double>(std::max<std::size_t>(sampled, 1));
+    return sum / static_cast<double>(std::max<std::size_t>(checker.facets().size(), 1));
 }
 
 template <int d>
