@@ -126,7 +126,7 @@ class Periodic_case {
             case 12: return in_box(inputs_.sheared(box_), true, "sheared");
             case 13: return in_box(inputs_.sheared(box_), false, "sheared, points stay");
             case 14: return in_box(inputs_.squeezed(box_), true, "squeezed");
-            case 15: return move_one();
+            case 15: return move_some();
             default: return in_box(inputs_.other_basis(box_), false, "another basis");
         }
     }
@@ -172,24 +172,29 @@ class Periodic_case {
         }
         return true;
     }
-    std::string move_one() {
+    /// One or some, anywhere or where others are or were; the last point of a vertex counts.
+    std::string move_some() {
         const std::vector<Index> all = vertices();
         if (all.empty()) return "nothing to move";
         inputs_.choose_kind();
-        const Index v = all[inputs_.below(all.size())];
-        const Coordinates<d> p = inputs_.point(box_, x_), old = x_[static_cast<std::size_t>(v)];
-        asked_.points = {p};
-        x_[static_cast<std::size_t>(v)] = nowhere();
-        const bool taken = is_taken(p);
-        x_[static_cast<std::size_t>(v)] = old;
-        try {
-            mesh_->move(v, p);
-        } catch (const Error& e) {
-            return e.code() == Error_code::duplicate_point && taken ? refused("move one")
-                                                                    : std::string("! move one: ") + e.what();
+        const Points old = x_;
+        std::vector<Index> which;
+        asked_.points.clear();
+        for (std::size_t k = 1 + inputs_.below(5); k > 0; --k) {
+            which.push_back(all[inputs_.below(all.size())]);
+            const auto other = static_cast<std::size_t>(all[inputs_.below(all.size())]);
+            asked_.points.push_back(inputs_.below(3) == 0 ? old[other] : inputs_.point(box_, old));
+            x_[static_cast<std::size_t>(which.back())] = asked_.points.back();
         }
-        x_[static_cast<std::size_t>(v)] = p;
-        return "move one";
+        try {
+            if (which.size() == 1) mesh_->move(which[0], asked_.points[0]);
+            else mesh_->move(which, asked_.points);
+        } catch (const Error& e) {
+            const bool right = names_one_place(e, x_, box_);
+            x_ = old;
+            return right ? refused("move some") : std::string("! move some: ") + e.what();
+        }
+        return "move some";
     }
     std::string remove(std::size_t most) {
         std::vector<Index> all = vertices();

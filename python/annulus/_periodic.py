@@ -123,9 +123,9 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         Returns
         -------
         MoveResult
-            All points are `within_tolerance`, `kept_in_place`, `flipped` or `rebuilt` in it; a single one of `indices`
-            is counted alone, `reinserted`. Its lists of simplices and edges are not available: they raise an `Error`
-            with the code ``usage``.
+            All points are `within_tolerance`, `kept_in_place`, `flipped` or `rebuilt` in it; those of `indices` are
+            counted alone, `reinserted`, while they are few. Its lists of simplices and edges are not available: they
+            raise an `Error` with the code ``usage``.
 
         Raises
         ------
@@ -134,8 +134,9 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
 
         Notes
         -----
-        One vertex is inserted at its new place and removed where it was, at the cost of these, and tolerances are not
-        kept, where there are not too few points for that. Several cost what all cost.
+        Some vertices are removed, and inserted where they go, at the cost of these, and tolerances are not kept; the
+        result counts the vertices that are named. Where it is expected to cost less to move all, or with too few
+        points, that is done, and the result counts all.
         """
         if indices is None:
             return self._mesh.move(_plain(points), box)

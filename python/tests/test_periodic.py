@@ -273,7 +273,7 @@ def test_some_points_move(d):
         x = dt.points
         x[which] += rng.standard_normal((len(which), d)) * (0.01 if k < 10 else 2.0)
         result = dt.move(x[which], indices=which)
-        assert (result.asked, result.reinserted) == ((1, 1) if k % 2 else (300, 0))
+        assert (result.asked, result.reinserted) == ((1, 1) if k % 2 else (300, 0) if k < 10 else (7, 7))
         assert np.allclose(dt.points, x, atol=1e-12) and dt.audit()
         fresh = annulus.MovingDelaunay(dt.points, box=np.ones(d))
         assert cells_by_name(dt.simplices, dt.simplex_offsets) == cells_by_name(fresh.simplices, fresh.simplex_offsets)

@@ -394,8 +394,8 @@ ANNULUS_API size_t annulus_periodic_error_vertices(const annulus_periodic* mesh,
 ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const double* coordinates,
                                           const double* box, annulus_report* report);
 // Moves some vertices, all at once: vertex indices[k] to point k, any image. If an index occurs twice, its last point
-// counts. One vertex is inserted at its new place and removed where it was, near the two, with few points excepted;
-// several cost what annulus_periodic_move_all costs, and the report is of all vertices, as there.
+// counts. They are removed and inserted where they go, and the report is of those that are named; where to move all is
+// expected to cost less, or with few points, the call does that, and the report is of all vertices.
 // Errors: as annulus_periodic_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* indices,
                                       const double* coordinates, annulus_report* report);

@@ -23,25 +23,22 @@ namespace annulus::inline v1 {
 
 namespace {
 
+/// A member of every entry.
+template <class Entry, class Member>
+std::vector<Member> column(const std::vector<Entry>& entries, Member Entry::*member) {
+    std::vector<Member> all;
+    all.reserve(entries.size());
+    for (const Entry& e : entries) all.push_back(e.*member);
+    return all;
+}
 template <int d>
 Periodic_pairs<d> listed(const std::vector<Image_pair<d>>& pairs) {
-    Periodic_pairs<d> list;
-    for (const Image_pair<d>& p : pairs) {
-        list.first.push_back(p.first);
-        list.second.push_back(p.second);
-        list.shift.push_back(p.shift);
-    }
-    return list;
+    using Pair = Image_pair<d>;
+    return {column(pairs, &Pair::first), column(pairs, &Pair::second), column(pairs, &Pair::shift)};
 }
-
 template <int d>
 Periodic_cell_list<d> listed(const std::vector<Image_cell<d>>& cells) {
-    Periodic_cell_list<d> list;
-    for (const Image_cell<d>& cell : cells) {
-        list.vertices.push_back(cell.vertices);
-        list.offsets.push_back(cell.offsets);
-    }
-    return list;
+    return {column(cells, &Image_cell<d>::vertices), column(cells, &Image_cell<d>::offsets)};
 }
 
 }  // namespace
@@ -141,28 +138,26 @@ Move_result Periodic_mesh<d>::move(std::span<const Index> indices, std::span<con
                     std::to_string(points.size()) + " positions for " + std::to_string(indices.size()) + " vertices");
     require_vertices(indices, [&](Index i) { return is_vertex(i); });
     Periodic_state<d>& state = parts_->state;
-    std::vector<Representative<d>> to;
-    for (std::size_t k = 0; k < points.size(); ++k) to.push_back(state.lattice.representative(points[k], indices[k]));
+    const std::vector<Vertex_move<d>> moves = vertex_moves<d>(state.lattice, indices, points);
     return parts_->changing([&]() -> Move_result {
-        if (indices.empty()) return {};
-        if (indices.size() == 1) {
-            const bool stays = state.place[static_cast<std::size_t>(indices[0])] == to[0].place;
-            if (!stays) parts_->mover.forget();
-            if (parts_->editor.move(state, indices[0], to[0])) {
+        if (moves.empty()) return {};
+        if (parts_->mover.is_for_editor(state, moves)) {
+            const auto staying =
+                static_cast<std::size_t>(std::count_if(moves.begin(), moves.end(), [&](const Vertex_move<d>& m) {
+                    return state.representative(m.vertex).place == m.to.place;
+                }));
+            if (staying < moves.size()) parts_->mover.forget();
+            if (parts_->editor.move(state, moves)) {
                 Move_result result;
-                result.moves.asked = 1;
-                (stays ? result.moves.kept_in_place : result.moves.reinserted) = 1;
+                result.moves.asked = moves.size();
+                result.moves.kept_in_place = staying;
+                result.moves.reinserted = moves.size() - staying;
                 return result;
             }
         }
-        Placed_points<d> places = state;
-        for (std::size_t k = 0; k < indices.size(); ++k) {
-            const auto i = static_cast<std::size_t>(indices[k]);
-            places.given[i] = state.lattice.imaged(to[k]);
-            places.place[i] = to[k].place;
-            places.image[i] = to[k].image;
-        }
-        return parts_->mover.move(state, Periodic_state<d>(state, std::move(places)));
+        Periodic_state<d> next(state, Placed_points<d>(state));
+        for (const Vertex_move<d>& m : moves) next.set(m.vertex, m.to);
+        return parts_->mover.move(state, std::move(next));
     });
 }
 template <int d>

@@ -109,15 +109,16 @@ class Periodic_mesh {
     /// The same in another box: of any shape, in another basis of the same lattice, too.
     Move_result move_all(std::span<const Point> points, const Box<d>& box);
 
-    /// Moves one vertex, to any image of its new place. It is inserted there and removed where it was, which costs what
-    /// these cost, and is `reinserted` in the result, or `kept_in_place` if only its image is another one. Where it is
-    /// not possible, with few points or in a thin box, the call is that of several vertices. Throws unknown_vertex,
-    /// not_finite, out_of_domain, duplicate_point, too_large, bad_alloc, environment.
+    /// Moves one vertex: move(indices, points) of one, which is reinserted wherever that is possible, whatever it costs
+    /// to move all.
     Move_result move(Index i, const Point& p);
-    /// Moves some vertices: indices[k] to points[k], all at once (a vertex may go where another one was). If an index
-    /// is named twice, its last point counts. One costs what it costs alone, several what move_all costs; then all
-    /// vertices are counted in the result, as there. Throws wrong_size unless there is one point for each index, and
-    /// what the move of one vertex throws.
+    /// Moves some vertices: indices[k] to any image of points[k], all at once (a vertex may go where another one was).
+    /// If an index is named twice, its last point counts. They are removed, and inserted where they go, which costs
+    /// what these cost, each; the result counts those that are named, as `reinserted`, or `kept_in_place` if only their
+    /// image is another one. Where move_all is expected to cost less, by counts, or where that is not possible, with
+    /// few points or in a thin box, the call is move_all, and its result as there. Throws wrong_size unless there is
+    /// one point for each index, unknown_vertex, not_finite, out_of_domain, duplicate_point, too_large, bad_alloc,
+    /// environment.
     Move_result move(std::span<const Index> indices, std::span<const Point> points);
 
     /// Inserts a vertex, any image of it, and returns its index: the one that was freed last, or index_bound().

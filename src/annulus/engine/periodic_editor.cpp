@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_editor.h>
 
+#include <annulus/arithmetic/duplicate_point.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/engine/require_vertices.h>
 #include <annulus/error.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -39,6 +41,20 @@ constexpr std::size_t points_an_insertion = 8, points_a_removal = 12;
         among.push_back(static_cast<std::size_t>(k - indices.begin()));
     }
     throw_equal(among[0], among[1]);
+}
+
+/// Throws the error of vertices that are to go to a place where another one is, naming all.
+template <int d>
+[[noreturn]] void throw_together(Index there, const Coordinates<d>& place, std::span<const Vertex_move<d>> moves) {
+    std::vector<std::int64_t> together;
+    bool moves_there = false;
+    for (const Vertex_move<d>& m : moves) {
+        if (m.to.place != place) continue;
+        together.push_back(m.vertex);
+        moves_there = moves_there || m.vertex == there;
+    }
+    if (!moves_there) together.push_back(there);
+    throw duplicate_point_error("vertices", "have, up to vectors of the box,", std::move(together));
 }
 
 }  // namespace
@@ -152,57 +168,44 @@ void Periodic_editor<d>::remove(Periodic_state<d>& state, std::span<const Index>
     state = std::move(next);
 }
 
+/// Leaves what it has done in the table and the state where it returns false or throws.
 template <int d>
-bool Periodic_editor<d>::move(Periodic_state<d>& state, Index i, const Representative<d>& to) {
+bool Periodic_editor<d>::reinsert(Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) {
     using enum Periodic_insertion::Outcome;
-    const auto at = static_cast<std::size_t>(i);
-    const auto write = [&] {
-        state.given[at] = state.lattice.imaged(to);
-        state.place[at] = to.place;
-        state.image[at] = to.image;
+    const Periodic_scene<d> scene{state.table, state.lattice, state.place, &journal_};
+    const auto stays = [&](const Vertex_move<d>& m) {
+        return state.place[static_cast<std::size_t>(m.vertex)] == m.to.place;
     };
-    if (state.place[at] == to.place) {
-        write();
-        return true;
+    for (const Vertex_move<d>& m : moves)
+        if (!stays(m) && !inserter_.remove(scene, m.vertex)) return false;
+    for (const Vertex_move<d>& m : moves) {
+        const bool stayed = stays(m);
+        state.set(m.vertex, m.to);
+        if (stayed) continue;
+        const Periodic_insertion inserted = inserter_.insert(scene, m.vertex);
+        if (inserted.outcome == taken) throw_together<d>(inserted.vertex, m.to.place, moves);
+        if (inserted.outcome == not_local) return false;
     }
-    if (state.free.empty() && state.place.size() == Limits::vertices) return false;
-    state.make_room(1);
-    const bool was_free = !state.free.empty();
-    const Index there = state.next_index();  // until the vertex has gone
-    state.put(to);
-    const Periodic_scene<d> scene{state.table, state.lattice, state.place};
-    bool moved = false;
+    return true;
+}
+
+template <int d>
+bool Periodic_editor<d>::move(Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) {
+    std::vector<Vertex_move<d>> back;
+    for (const Vertex_move<d>& m : moves) back.push_back({m.vertex, state.representative(m.vertex)});
+    journal_.begin(state.table, Periodic_journal<d>::Flags::kept);
+    const auto undo = [&]() noexcept {
+        journal_.undo(state.table);
+        for (const Vertex_move<d>& was : back) state.set(was.vertex, was.to);
+    };
     try {
-        const Periodic_insertion inserted = inserter_.insert_for_now(scene, there);
-        if (inserted.outcome == taken) {
-            const auto [low, high] = std::minmax(i, inserted.vertex);
-            throw Error(Error_code::duplicate_point,
-                        "vertices " + std::to_string(low) + " and " + std::to_string(high) +
-                            " have, up to vectors of the box, the same position",
-                        {low, high});
-        }
-        if (inserted.outcome == done) {
-            try {
-                moved = !inserter_.has_gaps() && remover_.remove_for_now(scene, i);
-            } catch (...) {
-                inserter_.take_back(state.table);
-                throw;
-            }
-            if (!moved) inserter_.take_back(state.table);
-        }
+        if (reinsert(state, moves)) return true;
     } catch (...) {
-        state.undo_put(there, was_free);
+        undo();
         throw;
     }
-    if (moved) {
-        for (const auto made : {inserter_.made(), remover_.made()})  // all cells of the new vertex, and others
-            for (const std::size_t c : made)
-                std::replace(state.table.vertex[c].begin(), state.table.vertex[c].end(), there, i);
-        remover_.keep(state.table);
-        write();
-    }
-    state.undo_put(there, was_free);
-    return moved;
+    undo();
+    return false;
 }
 
 template class Periodic_editor<2>;

@@ -22,20 +22,23 @@ class Periodic_editor {
     std::vector<Index> insert(Periodic_state<d>& state, std::span<const Coordinates<d>> points);
     /// Throws what Periodic_mesh::remove throws, but for environment.
     void remove(Periodic_state<d>& state, std::span<const Index> indices);
-    /// Moves vertex i to another place, and only what is near the two: it is inserted there, and removed where it was.
-    /// False, with nothing changed, where that is not possible. Throws duplicate_point, too_large and bad_alloc.
-    [[nodiscard]] bool move(Periodic_state<d>& state, Index i, const Representative<d>& to);
+    /// Moves some vertices, each named once, all or none: all are removed, and then inserted where they go, so that one
+    /// may go where another one was. Only cells near the places where they were, and are, change. False, with nothing
+    /// changed, where that is not possible. Throws duplicate_point, too_large and bad_alloc. O(what changes) memory.
+    [[nodiscard]] bool move(Periodic_state<d>& state, std::span<const Vertex_move<d>> moves);
 
   private:
     [[nodiscard]] Index insert_one(Periodic_state<d>& state, const Representative<d>& r);
     [[nodiscard]] std::vector<Index> insert_at_once(Periodic_state<d>& state,
                                                     std::span<const Representative<d>> points);
     void remove_one(Periodic_state<d>& state, Index i);
+    [[nodiscard]] bool reinsert(Periodic_state<d>& state, std::span<const Vertex_move<d>> moves);
     void build(Periodic_state<d>& state);
 
     Periodic_builder<d>& builder_;
     int threads_;
-    Periodic_inserter<d> inserter_, remover_;  // remover_: of what moves
+    Periodic_inserter<d> inserter_;
+    Periodic_journal<d> journal_;  // of a move
 };
 
 extern template class Periodic_editor<2>;

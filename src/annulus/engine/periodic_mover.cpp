@@ -18,7 +18,60 @@ double spacing_of(const Periodic_state<d>& state) {
     return d == 2 ? std::sqrt(each) : std::cbrt(each);
 }
 
+/// What moves in a periodic box cost, in the unit of cost_model.h, by what was measured of 10,000 points.
+template <int d>
+struct Periodic_costs;
+template <>
+struct Periodic_costs<2> {
+    static constexpr double reinsertion = 2700;             // of a vertex
+    static constexpr double signs = 4.4, tolerances = 1.7;  // of all, per vertex
+    static constexpr double flips = 300;                    // for a vertex that goes less than a spacing
+    static constexpr double build = 80;                     // per vertex
+};
+template <>
+struct Periodic_costs<3> {
+    static constexpr double reinsertion = 9000;
+    static constexpr double signs = 14, tolerances = 2.3;
+    static constexpr double flips = 2000;
+    static constexpr double build = 500;
+};
+constexpr double small_build = 8000;  // and a little, for few points
+
+/// How far a vertex goes, to the image that is nearest to it.
+template <int d>
+double squared_way(const Periodic_state<d>& state, const Vertex_move<d>& m) {
+    const Coordinates<d> from = state.representative(m.vertex).place;
+    Coordinates<d> way;
+    for (std::size_t i = 0; i < d; ++i) way[i] = m.to.place[i] - from[i];
+    const Coordinates<d> boxes = state.lattice.in_basis(way);
+    for (std::size_t j = 0; j < d; ++j)
+        for (std::size_t i = 0; i < d; ++i) way[i] -= std::nearbyint(boxes[j]) * state.lattice.basis()[j][i];
+    double squared = 0;
+    for (const double w : way) squared += w * w;
+    return squared;
+}
+
 }  // namespace
+
+/// Flips take a vertex no farther than a spacing; in a move that is longer all is built. That tolerances are lost is
+/// not counted: where calls of some vertices follow one another none are kept.
+template <int d>
+bool Periodic_mover<d>::is_for_editor(const Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) const {
+    using Costs = Periodic_costs<d>;
+    const double n = static_cast<double>(state.vertices()), spacing = spacing_of(state);
+    std::size_t moving = 0;
+    bool far = false;
+    for (const Vertex_move<d>& m : moves) {
+        const double squared = squared_way(state, m);
+        moving += squared > 0 ? 1 : 0;
+        far = far || squared > spacing * spacing;
+    }
+    if (moving <= 1) return true;
+    const double each = static_cast<double>(moving);
+    const double all = n * (tolerances_.kept() ? Costs::tolerances : Costs::signs) +
+                       (far ? small_build + n * Costs::build : each * Costs::flips);
+    return each * Costs::reinsertion < all;
+}
 
 /// More would cost more than to compute all tolerances again.
 template <int d>
@@ -33,12 +86,12 @@ std::size_t Periodic_mover<d>::most_failed(std::size_t vertices) const {
 
 template <int d>
 Move_result Periodic_mover<d>::move(Periodic_state<d>& state, Periodic_state<d> next) {
-    // What a build costs, a copy of a point, in the unit of cost_model.h; and a little, for few points. Flips of cells
-    // with offsets take two to four times what that model says, so it is less than for builds without.
-    constexpr double copy = d == 2 ? 25 : 60, little = 8000;
+    // What a build costs, a copy of a point, in the unit of cost_model.h. Flips of cells with offsets take two to four
+    // times what that model says, so it is less than for builds without.
+    constexpr double copy = d == 2 ? 25 : 60;
     const std::size_t n = next.vertices();
     const bool kept = tolerances_.kept();
-    Budget budget{little + copy * static_cast<double>(builder_.copies())};
+    Budget budget{small_build + copy * static_cast<double>(builder_.copies())};
     const Periodic_repair_result repaired = repair_.repair(
         state.table, {state.lattice, state.place}, {next.lattice, next.place}, budget, {tolerances_, most_failed(n)});
     Move_result result;

@@ -8,6 +8,7 @@
 #include <annulus/kernel/periodic_builder.h>
 #include <annulus/options.h>
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,9 @@ class Periodic_mover {
     /// `next` has no cells: those of `state`, which it becomes, are made its own. Where it throws, the state is as it
     /// was, and no tolerances are kept. Throws what Periodic_builder::build throws.
     Move_result move(Periodic_state<d>& state, Periodic_state<d> next);
+    /// Whether it is expected to cost less to remove these vertices and insert them where they go (Periodic_editor)
+    /// than to move all. O(their number). One is always reinserted, since many calls of one are expected.
+    [[nodiscard]] bool is_for_editor(const Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) const;
     /// To be called when the state has changed otherwise.
     void forget() noexcept { tolerances_.invalidate(); }
     /// By vertex; Periodic_mesh::tolerances. O(n). Throws bad_alloc.

@@ -46,6 +46,20 @@ void room_for(std::vector<T>& v, std::size_t size) {
 }  // namespace
 
 template <int d>
+std::vector<Vertex_move<d>> vertex_moves(const Lattice<d>& lattice, std::span<const Index> indices,
+                                         std::span<const Coordinates<d>> points) {
+    std::vector<Vertex_move<d>> moves;
+    moves.reserve(indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k)
+        moves.push_back({indices[k], lattice.representative(points[k], indices[k])});
+    std::reverse(moves.begin(), moves.end());  // so that the last one of each stays
+    std::stable_sort(moves.begin(), moves.end(), [](const auto& l, const auto& r) { return l.vertex < r.vertex; });
+    const auto same = [](const auto& l, const auto& r) { return l.vertex == r.vertex; };
+    moves.erase(std::unique(moves.begin(), moves.end(), same), moves.end());
+    return moves;
+}
+
+template <int d>
 Periodic_state<d>::Periodic_state(std::span<const Coordinates<d>> points, const Box<d>& box,
                                   std::span<const Index> free_indices)
     : lattice(box.vectors()),
@@ -140,16 +154,22 @@ void Periodic_state<d>::make_room(std::size_t more) {
 }
 
 template <int d>
+void Periodic_state<d>::set(Index i, const Representative<d>& r) noexcept {
+    const auto k = static_cast<std::size_t>(i);
+    given[k] = lattice.imaged(r);
+    place[k] = r.place;
+    image[k] = r.image;
+}
+
+template <int d>
 void Periodic_state<d>::put(const Representative<d>& r) noexcept {
-    const auto i = static_cast<std::size_t>(next_index());
+    const Index i = next_index();
     if (free.empty()) {
         given.emplace_back();
         place.emplace_back();
         image.emplace_back();
     } else free.pop_back();
-    given[i] = lattice.imaged(r);
-    place[i] = r.place;
-    image[i] = r.image;
+    set(i, r);
 }
 
 template <int d>
@@ -168,6 +188,10 @@ void Periodic_state<d>::undo_put(Index i, bool was_free) noexcept {
     image.pop_back();
 }
 
+template std::vector<Vertex_move<2>> vertex_moves(const Lattice<2>&, std::span<const Index>,
+                                                  std::span<const Coordinates<2>>);
+template std::vector<Vertex_move<3>> vertex_moves(const Lattice<3>&, std::span<const Index>,
+                                                  std::span<const Coordinates<3>>);
 template struct Periodic_state<2>;
 template struct Periodic_state<3>;
 

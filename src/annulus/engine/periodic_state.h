@@ -23,6 +23,19 @@ struct Placed_points {
     std::vector<Shift<d>> image;
 };
 
+/// A vertex, and where it is to be.
+template <int d>
+struct Vertex_move {
+    Index vertex;
+    Representative<d> to;
+};
+
+/// indices[k] to any image of points[k]: by index, each once; if one is named twice, its last point counts. Throws what
+/// Lattice::representative throws, naming indices. O(k log k).
+template <int d>
+[[nodiscard]] std::vector<Vertex_move<d>> vertex_moves(const Lattice<d>& lattice, std::span<const Index> indices,
+                                                       std::span<const Coordinates<d>> points);
+
 /// A triangulation in a periodic box and what it is of, by the caller's indices.
 template <int d>
 struct Periodic_state : Placed_points<d> {
@@ -68,6 +81,11 @@ struct Periodic_state : Placed_points<d> {
     void make_room(std::size_t more);
     /// The index that the next point takes: the one that was freed last, or a new one.
     [[nodiscard]] Index next_index() const { return free.empty() ? static_cast<Index>(place.size()) : free.back(); }
+    /// Vertex i is there from now on.
+    void set(Index i, const Representative<d>& r) noexcept;
+    [[nodiscard]] Representative<d> representative(Index i) const {
+        return {place[static_cast<std::size_t>(i)], image[static_cast<std::size_t>(i)]};
+    }
     /// Puts a point at next_index().
     void put(const Representative<d>& r) noexcept;
     /// The index becomes free.
@@ -85,6 +103,10 @@ struct Periodic_state : Placed_points<d> {
     void clear(Index i) noexcept;
 };
 
+extern template std::vector<Vertex_move<2>> vertex_moves(const Lattice<2>&, std::span<const Index>,
+                                                         std::span<const Coordinates<2>>);
+extern template std::vector<Vertex_move<3>> vertex_moves(const Lattice<3>&, std::span<const Index>,
+                                                         std::span<const Coordinates<3>>);
 extern template struct Periodic_state<2>;
 extern template struct Periodic_state<3>;
 

@@ -105,30 +105,6 @@ bool Periodic_inserter<d>::find_cavity(const Scene& scene, Lifted_cell<d> first,
 
 template <int d>
 Periodic_insertion Periodic_inserter<d>::insert(const Scene& scene, Index v) {
-    const Periodic_insertion inserted = insert_for_now(scene, v);
-    if (inserted.outcome == Periodic_insertion::Outcome::done) keep(scene.table);
-    return inserted;
-}
-
-template <int d>
-bool Periodic_inserter<d>::remove(const Scene& scene, Index v) {
-    if (!remove_for_now(scene, v)) return false;
-    keep(scene.table);
-    return true;
-}
-
-template <int d>
-void Periodic_inserter<d>::take_back(Periodic_table<d>& table) noexcept {
-    region_.undo(table);
-    for (const Lifted_cell<d>& g : gone_)  // the other sides of their facets
-        for (std::size_t i = 0; i <= d; ++i) {
-            const Corner_index t = table.twin[g.cell][i];
-            table.cospherical[table.cell_of(t)][table.slot_of(t)] = table.cospherical[g.cell][i];
-        }
-}
-
-template <int d>
-Periodic_insertion Periodic_inserter<d>::insert_for_now(const Scene& scene, Index v) {
     using enum Periodic_insertion::Outcome;
     begin(scene);
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
@@ -228,7 +204,7 @@ bool Periodic_inserter<d>::triangulate_link(const Scene& scene, Index v) {
 }
 
 template <int d>
-bool Periodic_inserter<d>::remove_for_now(const Scene& scene, Index v) {
+bool Periodic_inserter<d>::remove(const Scene& scene, Index v) {
     begin(scene);
     const Coordinates<d>& p = scene.place[static_cast<std::size_t>(v)];
     const std::optional<Lifted_cell<d>> found = walk_to(scene.table, scene.lattice, scene.place, p);
@@ -267,12 +243,22 @@ bool Periodic_inserter<d>::are_right(const Scene& scene) {
     return true;
 }
 
+/// Cells and their neighbours, and the last ones, which take the numbers of cells without a successor.
+template <int d>
+void Periodic_inserter<d>::keep_what_changes(const Scene& scene) const {
+    if (scene.journal == nullptr) return;
+    for (const Lifted_cell<d>& g : gone_) scene.journal->keep_around(scene.table, g.cell);
+    for (std::size_t k = 1; came_.size() + k <= gone_.size(); ++k)
+        scene.journal->keep_around(scene.table, scene.table.size() - k);
+}
+
 template <int d>
 bool Periodic_inserter<d>::settle(const Scene& scene) {
     Periodic_table<d>& table = scene.table;
     cospherical_.reserve((d + 1) * came_.size());
     if (table.size() + came_.size() > static_cast<std::size_t>(Limits::cells) + gone_.size())
         throw Error(Error_code::too_large, "more than " + std::to_string(Limits::cells) + " cells");
+    keep_what_changes(scene);
     if (!region_.replace(table, gone_, came_)) return false;
     if (!are_right(scene)) {
         region_.undo(table);
@@ -285,6 +271,7 @@ bool Periodic_inserter<d>::settle(const Scene& scene) {
     for (const std::size_t c : region_.made())
         for (std::size_t i = 0; i <= d; ++i) flag(table.twin[c][i]) = 0;
     for (const Corner_index h : cospherical_) flag(h) = flag(twin(h)) = 1;
+    region_.keep(table);
     return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/kernel/builder.h>
+#include <annulus/mesh/periodic_journal.h>
 #include <annulus/mesh/periodic_region.h>
 #include <annulus/mesh/periodic_table.h>
 #include <annulus/space/lattice.h>
@@ -19,7 +20,8 @@ template <int d>
 struct Periodic_scene {
     Periodic_table<d>& table;
     const Lattice<d>& lattice;
-    std::span<const Coordinates<d>> place;  ///< by vertex
+    std::span<const Coordinates<d>> place;   ///< by vertex
+    Periodic_journal<d>* journal = nullptr;  ///< keeps what changes, with flags, where there is one
 };
 
 /// What became of a point that was to be inserted.
@@ -56,25 +58,15 @@ class Periodic_inserter {
     /// False where it is not possible in this way; then the table is as it was. Costs and throws as insert does.
     [[nodiscard]] bool remove(const Periodic_scene<d>& scene, Index v);
 
-    // The same for now: where they are done, keep() has to follow, which closes gaps in the table, or take_back(),
-    // which makes it what it was as long as nothing else has changed it.
-    [[nodiscard]] Periodic_insertion insert_for_now(const Periodic_scene<d>& scene, Index v);
-    [[nodiscard]] bool remove_for_now(const Periodic_scene<d>& scene, Index v);
-    /// Nothing refers to a gap, and no other call may meet one.
-    [[nodiscard]] bool has_gaps() const { return region_.has_gaps(); }
-    /// The numbers of the new cells, until keep().
-    [[nodiscard]] std::span<const std::size_t> made() const { return region_.made(); }
-    void keep(Periodic_table<d>& table) noexcept { region_.keep(table); }
-    void take_back(Periodic_table<d>& table) noexcept;
-
   private:
     using Scene = Periodic_scene<d>;
 
     [[nodiscard]] bool find_cavity(const Scene& scene, Lifted_cell<d> first, Index v);
     [[nodiscard]] bool find_star(const Scene& scene, Lifted_cell<d> first, Index v);
     [[nodiscard]] bool triangulate_link(const Scene& scene, Index v);
-    /// Replaces gone_ by came_ for now, if these are right.
+    /// Replaces gone_ by came_, if these are right.
     [[nodiscard]] bool settle(const Scene& scene);
+    void keep_what_changes(const Scene& scene) const;
     [[nodiscard]] bool are_right(const Scene& scene);
     /// Adds a cell; false where it is there, elsewhere.
     [[nodiscard]] bool enter(Lifted_cell<d> c);

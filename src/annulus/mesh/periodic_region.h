@@ -24,8 +24,6 @@ class Periodic_region {
     /// The numbers of the new cells, in their order, until keep() renumbers cells. The table has a gap for each cell
     /// that went and has no successor: nothing refers to it.
     [[nodiscard]] std::span<const std::size_t> made() const { return numbers_.made; }
-    /// Whether there is such a gap.
-    [[nodiscard]] bool has_gaps() const { return !numbers_.unused.empty(); }
     /// Makes the table what it was.
     void undo(Periodic_table<d>& table) noexcept;
     /// Closes the gaps: the last cells take their numbers.
