@@ -182,9 +182,9 @@ bool Periodic_editor<d>::reinsert(Periodic_state<d>& state, std::span<const Vert
         const bool stayed = stays(m);
         state.set(m.vertex, m.to);
         if (stayed) continue;
-        const Periodic_insertion inserted = inserter_.insert(scene, m.vertex);
-        if (inserted.outcome == taken) throw_together<d>(inserted.vertex, m.to.place, moves);
-        if (inserted.outcome == not_local) return false;
+        const auto [outcome, there] = inserter_.insert(scene, m.vertex);
+        if (outcome == taken) throw_together<d>(there, m.to.place, moves);
+        if (outcome != done) return false;
     }
     return true;
 }
