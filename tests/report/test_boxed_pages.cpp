@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pages say of runs in a periodic box, in which there are no tolerances, and of a box that changes.
+// What pages say of runs in a periodic box, of their tolerances, and of a box that changes.
 #include "page_text.h"
 
 #include <apps/report/finding.h>
@@ -52,20 +52,26 @@ TEST_CASE("Displacements in a box that changes are relative to it", "[report]") 
                            "angle between its vectors 2 and 3 from 90 to 56.3 degrees.\n"));
 }
 
-TEST_CASE("A page without tolerances does not speak of them", "[report]") {
+TEST_CASE("In a periodic box certificates are counted where tolerances are tested", "[report]") {
     Report report;
     report.run = two_steps();
     report.run.tolerance = "certified";
+    report.run.arithmetic.filter = 7;
+    CHECK(contains(report_html(report), "<th scope=\"row\">certificates decided</th>"));
+    report.run.input.box = {{4, 0}, {0, 1}};
     const std::string with = report_html(report);
     CHECK(contains(with, "<th scope=\"row\">tolerance</th><td>certified</td>"));
+    CHECK(contains(with, "<th scope=\"row\">certificates decided for tolerances</th>"));
     CHECK(contains(with, "within tolerance, or at rest"));
+    CHECK(contains(with, "Within tolerance"));
     CHECK(summary_json(report.run).at("tolerance") == "certified");
-    report.run.tolerance.clear();  // a periodic box
+    report.run.strategy = "signs";
     for (Iteration_record& step : report.run.steps) step.tested_tolerances = false;
     const std::string without = report_html(report);
-    CHECK(!contains(without, "olerance"));
+    CHECK(!contains(without, "ertificates decided"));
+    CHECK(!contains(without, "ithin tolerance"));
+    CHECK(contains(without, "The strategy signs tests no tolerances."));
     CHECK(contains(without, "<th scope=\"row\">at rest</th>"));
-    CHECK(summary_json(report.run).at("tolerance").is_null());
     CHECK(convergence_plots(report).front().title == "Displacement");
     report.run.steps[0].annulus_width_mean = 0.5;
     CHECK(convergence_plots(report).front().title == "Displacement, annulus width");

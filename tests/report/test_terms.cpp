@@ -84,10 +84,13 @@ TEST_CASE("The terms of a page are those of its dimension and of its tolerances"
         CHECK(contains(both, part));
     report.comparison = Comparison_record{{with_tolerances("rebuild", "certified").run, report.run}, true, {}};
     CHECK(contains(terms(report), "These strategies test no tolerances."));
-    report = with_tolerances("auto", "");
+    CHECK(contains(terms(report), "hull"));
+    CHECK(!contains(terms(report), "relative to the box"));
+    report = with_tolerances("auto", "certified");
     report.run.input.box = {{1, 0}, {0, 1}};
-    CHECK(!contains(terms(report), "olerance"));
-    CHECK(contains(terms(report), "Kept in place"));
+    CHECK(!contains(terms(report), "hull"));
+    CHECK(contains(terms(report), "Ways are relative to the box"));
+    CHECK(contains(terms(report), "<dt>Within tolerance</dt>"));
 }
 
 TEST_CASE("Certificates and spacings are those of open sets, of boxes, or of both", "[report]") {

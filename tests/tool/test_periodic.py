@@ -12,31 +12,104 @@ import tool
 
 
 class Taken(boxed.BoxedTest):
-    def test_steps_flip_and_with_the_strategy_rebuild_they_rebuild(self):
+    def wandering(self, d, n, step, strain):
+        """Five frames of points that wander by so much a step, in a box that is sheared by so much a step."""
         dice = random.Random(tool.SEED)
-        motion = [{i: [dice.random(), dice.random()] for i in range(200)}]
+        motion = [{i: [dice.random() for _ in range(d)] for i in range(n)}]
         while len(motion) < 5:
-            motion.append({i: [c + 0.004 * dice.gauss(0, 1) for c in p] for i, p in motion[-1].items()})
-        self.lattice_xyz("a.xyz", motion, [[[1, 0], [k / 32, 1]] for k in range(5)])
-        for strategy in ("auto", "rebuild"):
-            done = self.succeed("replay", "a.xyz", "--strategy", strategy, "--voronoi", "--neighbors", "--changes",
-                                "--audit", 1, "--output", strategy)
-            self.assertNotIn("certificates", done.stdout)
+            motion.append({i: [c + step * dice.gauss(0, 1) for c in p] for i, p in motion[-1].items()})
+        rows = [[float(i == j) for j in range(d)] for i in range(d)]
+        self.lattice_xyz("a.xyz", motion, [[*rows[:-1], [k * strain, *rows[-1][1:]]] for k in range(5)])
+
+    def follow(self, strategy):
+        return self.succeed("replay", "a.xyz", "--strategy", strategy, "--voronoi", "--neighbors", "--changes",
+                            "--every", 4, "--audit", 1, "--output", strategy)
+
+    def test_steps_flip_and_with_the_strategy_rebuild_they_rebuild(self):
+        self.wandering(2, 200, 0.004, 1 / 32)
+        for strategy in ("auto", "signs", "tolerances", "rebuild"):
+            done = self.follow(strategy)
+            page = (self.here / strategy / "report.html").read_text(encoding="utf-8")
+            counts = strategy in ("auto", "tolerances")
+            for text in (done.stdout, page):  # not those whose signs are tested all at once
+                self.assertEqual("decided for tolerances" in text, counts)
             moves = self.summary(strategy)["moves"]
             self.assertEqual(moves["asked"], 800)
             self.assertEqual(moves["rebuilt"], 800 if strategy == "rebuild" else 0)
-            self.assertEqual(moves["kept_in_place"] + moves["flipped"], 0 if strategy == "rebuild" else 800)
-            page = (self.here / strategy / "report.html").read_text(encoding="utf-8")
+            self.assertEqual(moves["within_tolerance"] + moves["kept_in_place"] + moves["flipped"],
+                             0 if strategy == "rebuild" else 800)
             for words in ("Lattice and pbc", "0.125, 1", "with images at the sides of the box"):
                 self.assertIn(words, page)
-            for words in ("ertificates decided", "Unbounded cells"):
-                self.assertNotIn(words, page)
-        self.assertEqual(self.shifted_changes("auto"), self.shifted_changes("rebuild"))
-        for frame, measures in self.pairs("auto").items():  # which cell a number is computed from is not the same
-            again = self.pairs("rebuild")[frame]
-            self.assertEqual(set(measures), set(again))
-            for pair, length in measures.items():
-                self.assertAlmostEqual(length, again[pair], delta=1e-12)
+            self.assertNotIn("Unbounded cells", page)
+
+    def test_results_do_not_depend_on_the_strategy(self):
+        for d, n, step, strain in ((2, 200, 0.004, 1 / 32), (2, 200, 1e-6, 0), (3, 100, 1e-6, 1e-6), (3, 60, 0.1, 0)):
+            with self.subTest(d=d, step=step):
+                self.wandering(d, n, step, strain)
+                for strategy in ("rebuild", "auto", "signs", "tolerances"):
+                    self.follow(strategy)
+                    self.assertEqual(self.summary(strategy)["audit"], {"checked": 4, "failed": 0})
+                    for name in ("changes.csv", "frames.pvd"):
+                        self.assertEqual((self.here / strategy / name).read_bytes(),
+                                         (self.here / "rebuild" / name).read_bytes(), name)
+                    # Which cell a number is computed from is not the same.
+                    for frame, measures in self.pairs("rebuild").items():
+                        again = self.pairs(strategy)[frame]
+                        self.assertEqual(set(measures), set(again))
+                        for pair, length in measures.items():
+                            self.assertAlmostEqual(length, again[pair], delta=1e-12)
+                    for frame, cells in self.voronoi("rebuild").items():
+                        again = self.voronoi(strategy)[frame]
+                        self.assertEqual(set(cells), set(again))
+                        for i, (volume, count) in cells.items():
+                            self.assertAlmostEqual(volume, again[i][0], delta=1e-9 * volume)
+                            self.assertEqual(count, again[i][1])
+
+    def test_tolerances_are_kept_where_points_move_little(self):
+        self.wandering(2, 200, 1e-6, 0)
+        for strategy in ("auto", "tolerances", "signs", "rebuild"):
+            done = self.follow(strategy)
+            self.assertIn(f"strategy {strategy}, certified tolerances\n", done.stdout)
+            self.assertEqual(self.summary(strategy)["tolerance"], "certified")
+            page = (self.here / strategy / "report.html").read_text(encoding="utf-8")
+            rows = self.table(strategy, "iterations.csv")
+            within = [int(row["within_tolerance"]) for row in rows]
+            for row in rows:  # measured with every strategy, in mean spacings
+                self.assertTrue(1e-4 < float(row["tolerance_mean"]) < 1, row)
+                self.assertEqual((row["annulus_width_mean"], row["theta_min"]), ("", ""))
+            self.assertIn('aria-label="Displacement, tolerance"', page)
+            keeps = strategy in ("auto", "tolerances")
+            if keeps:  # they begin with a step
+                self.assertEqual(within[0], 0)
+                self.assertGreater(min(within[1:]), 100)
+                self.assertGreater(int(rows[0]["certificates_evaluated"]), 600)
+                self.assertLess(int(rows[-1]["certificates_evaluated"]), 600)
+            else:
+                self.assertEqual([(row["certificates_evaluated"], row["within_tolerance"]) for row in rows],
+                                 [("0", "0")] * 4)
+            for words in ("Moves beyond their tolerance", "frames that tested tolerances</th><td>3",
+                          "of the moves in the 3 of 4 frames that tested tolerances stayed within their tolerance"):
+                self.assertEqual(words in page, keeps, words)
+            self.assertEqual(f"The strategy {strategy} tests no tolerances." in page, not keeps)
+
+    def test_strategies_that_a_box_does_not_have_are_refused(self):
+        self.wandering(2, 20, 0.01, 0)
+        self.write("open.csv", "frame,id,x,y\n0,1,0.1,0.2\n0,2,0.7,0.6\n0,3,0.5,0.1\n1,1,0.2,0.2\n")
+        for strategy in ("relocate", "relocate-flips", "in-place", "tolerances-each", "paper", "paper-hybrid"):
+            self.assertEqual(self.refuse(2, "replay", "a.xyz", "--strategy", strategy),
+                             "annulus: in a periodic box the strategies are auto, rebuild, signs and tolerances, not "
+                             f"{strategy}, or --open for open boundaries")
+            self.succeed("replay", "a.xyz", "--open", "--strategy", strategy)
+        self.assertEqual(self.refuse(2, "replay", "a.xyz", "--strategy", "paper", "--tolerance", "floating"),
+                         "annulus: in a periodic box tolerances are certified, not floating, or --open for open "
+                         "boundaries")
+        # signs is for boxes; whether there is one, the file says, unless the command does.
+        says = "annulus: the strategy signs is for periodic boxes: use auto, or in-place"
+        self.assertEqual(self.refuse(2, "replay", "open.csv", "--strategy", "signs"), says)
+        self.assertEqual(self.refuse(2, "replay", "absent.xyz", "--open", "--strategy", "signs"), says)
+        self.assertEqual(self.refuse(2, "lloyd", "--points", 20, "--strategy", "signs"), says)
+        self.assertIn("absent.xyz", self.refuse(3, "replay", "absent.xyz", "--strategy", "signs"))
+        self.succeed("replay", "open.csv", "--box", "1,1", "--strategy", "signs")
 
     def test_a_box_for_points_that_are_absent_for_a_frame(self):
         """Of a table, with frames without points, first and between."""
@@ -61,7 +134,7 @@ class Taken(boxed.BoxedTest):
                             (["--box", "1,x"], "'x' is not a number"),
                             (["--box", "1,0"], "--box: the vectors of the box"),
                             (["--box", "1,1", "--open"], "--open and --box exclude each other"),
-                            (["--box", "1,1", "--strategy", "paper"], "a periodic box the tool keeps no tolerances")):
+                            (["--box", "1,1", "--strategy", "paper"], "in a periodic box the strategies are auto,")):
             self.assertIn(what, self.refuse(2, "replay", "a.csv", *words))
         # In place of the box of a file, whatever that is.
         self.write("b.xyz", '2\nLattice="9 0 0 0 9 0" pbc="T F F" Properties=pos:R:2\n0 0\n0.25 0.5\n')

@@ -72,10 +72,15 @@ void add_columns(CLI::App& app, std::string& columns) {
         ->type_name("LIST");
 }
 
-void add_tracking(CLI::App& app, Tracking_arguments& a) {
-    app.add_option("--strategy", a.strategy, "How the triangulation is kept right")
-        ->check(CLI::IsMember({"auto", "rebuild", "relocate", "relocate-flips", "in-place", "tolerances",
-                               "tolerances-each", "paper", "paper-hybrid"}))
+void add_tracking(CLI::App& app, Tracking_arguments& a, bool boxed) {
+    std::vector<std::string> strategies{"auto",       "rebuild",         "relocate", "relocate-flips", "in-place",
+                                        "tolerances", "tolerances-each", "paper",    "paper-hybrid"};
+    if (boxed) strategies.emplace_back("signs");
+    app.add_option("--strategy", a.strategy,
+                   boxed ? "How the triangulation is kept right; in a periodic box auto, rebuild, tolerances, or signs,\n"
+                           "which is for boxes only"
+                         : "How the triangulation is kept right")
+        ->check(CLI::IsMember(strategies))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance,
                    "Kind of tolerance; only certified ones are proved, the others are for the strategies paper and "
@@ -92,6 +97,8 @@ Options options_of(const Tracking_arguments& tracking, const Common_arguments& c
     Options o;
     const auto strategy = strategy_named(tracking.strategy);
     const auto tolerance = tolerance_kind_named(tracking.tolerance);
+    if (!strategy && tracking.strategy == "signs")
+        throw Error(Error_code::usage, "the strategy signs is for periodic boxes: use auto, or in-place");
     if (!strategy) throw Error(Error_code::usage, "no strategy is called '" + tracking.strategy + "'");
     if (!tolerance) throw Error(Error_code::usage, "no kind of tolerance is called '" + tracking.tolerance + "'");
     o.strategy = *strategy;
@@ -99,6 +106,19 @@ Options options_of(const Tracking_arguments& tracking, const Common_arguments& c
     o.threads = common.threads;
     o.seed = common.seed;
     return o;
+}
+
+Options boxed_options_of(const Tracking_arguments& tracking, const Common_arguments& common,
+                         const std::string& otherwise) {
+    if (tracking.tolerance != "certified")
+        throw Error(Error_code::usage,
+                    "in a periodic box tolerances are certified, not " + tracking.tolerance + otherwise);
+    Tracking_arguments open = tracking;
+    if (tracking.strategy == "signs") open.strategy = name_of(Strategy::in_place);
+    else if (tracking.strategy != "rebuild" && !periodic_strategy_named(tracking.strategy))
+        throw Error(Error_code::usage, "in a periodic box the strategies are auto, rebuild, signs and tolerances, not " +
+                                           tracking.strategy + otherwise);
+    return options_of(open, common);
 }
 
 std::string command_line(const std::vector<std::string>& words) {

@@ -59,7 +59,8 @@ void add_common(CLI::App& app, Common_arguments& arguments, const std::string& f
 void add_format(CLI::App& app, std::string& format, std::span<const Format> formats);
 /// --columns: the columns of a table.
 void add_columns(CLI::App& app, std::string& columns);
-void add_tracking(CLI::App& app, Tracking_arguments& arguments);
+/// Of a command that takes periodic boxes --strategy may be `signs`, too.
+void add_tracking(CLI::App& app, Tracking_arguments& arguments, bool boxed = false);
 
 /// Every option of a subcommand refuses the value "", which would otherwise be the same as no option, and so does every
 /// name of a file. Precondition: all of them have been added.
@@ -67,6 +68,10 @@ void refuse_empty_values(CLI::App& app);
 
 /// Options of the library from those of the command line. Throws Error(usage).
 [[nodiscard]] Options options_of(const Tracking_arguments& tracking, const Common_arguments& common);
+/// The same in a periodic box, where `auto`, `rebuild`, `signs` and `tolerances` are strategies: whole time steps, also
+/// for Strategy::in_place, which stands for `signs`. The error ends with `otherwise`.
+[[nodiscard]] Options boxed_options_of(const Tracking_arguments& tracking, const Common_arguments& common,
+                                       const std::string& otherwise = {});
 
 /// The command line, quoted where a shell needs it, for the files of the run.
 [[nodiscard]] std::string command_line(const std::vector<std::string>& words);

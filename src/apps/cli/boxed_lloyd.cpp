@@ -165,8 +165,6 @@ int run_boxed(const Boxed_lloyd_call& a, const Options& options, const std::stri
 void require_open_options_absent(const Boxed_lloyd_call& a) {
     const auto refuse = [](const char* what) { throw Error(Error_code::usage, what); };
     if (a.lloyd.open) refuse("--open and --box exclude each other");
-    if ((a.tracking.strategy != "auto" && a.tracking.strategy != "rebuild") || a.tracking.tolerance != "certified")
-        refuse("in a periodic box the tool keeps no tolerances: --strategy auto or rebuild, --tolerance certified");
     if (!a.lloyd.domain.empty() || a.lloyd.radius != 0 || !a.lloyd.size.empty())
         refuse("with --box the domain is the periodic box: no --domain, --radius or --size");
     if (a.lloyd.keep_boundary) refuse("--keep-boundary is for polygons: a periodic box has no boundary");
@@ -188,7 +186,7 @@ void add_lloyd_box(CLI::App& app, std::string& box) {
 int run_boxed_lloyd(const Boxed_lloyd_call& a, const std::string& command) {
     require_open_options_absent(a);
     const int dimension = dimension_of_box(parse_box(a.box));
-    Options options = options_of(a.tracking, a.common);
+    Options options = boxed_options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
     return dimension == 2 ? run_boxed<2>(a, options, command) : run_boxed<3>(a, options, command);
 }

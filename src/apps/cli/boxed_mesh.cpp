@@ -5,10 +5,20 @@
 
 namespace annulus::inline v1::cli {
 
+namespace {
+
+Periodic_strategy periodic_strategy_of(Strategy s) {
+    return s == Strategy::tolerances  ? Periodic_strategy::tolerances
+           : s == Strategy::automatic ? Periodic_strategy::automatic
+                                      : Periodic_strategy::signs;
+}
+
+}  // namespace
+
 template <int d>
 Boxed_mesh<d>::Boxed_mesh(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box,
                           const Options& options)
-    : mesh_(x, box, Periodic_options{.threads = options.threads, .strategy = Periodic_strategy::signs}),
+    : mesh_(x, box, {.threads = options.threads, .strategy = periodic_strategy_of(options.strategy)}),
       box_(box),
       id_(id.begin(), id.end()),
       rebuilds_(options.strategy == Strategy::rebuild) {

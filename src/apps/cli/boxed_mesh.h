@@ -19,8 +19,8 @@ class Boxed_mesh {
   public:
     static constexpr int dimension_of_space = d;
 
-    /// Of the strategies `rebuild` builds at every step; otherwise steps flip where that costs less. Throws what
-    /// Periodic_mesh throws.
+    /// The strategy is one of boxed_options_of; `rebuild` builds at every step, the others where flips would cost more.
+    /// Throws what Periodic_mesh throws.
     Boxed_mesh(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box,
                const Options& options);
     /// The next frame: other points, for a new mesh, or other positions of the same, in the same box or another.
@@ -37,9 +37,10 @@ class Boxed_mesh {
     [[nodiscard]] std::size_t index_bound() const { return id_.size(); }
     [[nodiscard]] bool is_vertex(Index v) const { return v >= 0 && static_cast<std::size_t>(v) < id_.size(); }
     [[nodiscard]] Audit_result audit() const { return mesh_.audit(); }
-    /// No tolerances are kept in a periodic box here: nothing is computed, nothing is measured.
+    /// Does nothing: tolerances begin with a step.
     Move_result recompute_tolerances() { return {}; }
-    [[nodiscard]] Measures measure() const { return {}; }
+    /// Tolerances alone: what is left of them while they are kept, else those of the present places. O(n).
+    [[nodiscard]] Measures measure() const { return {.tolerance = mesh_.tolerances(), .annulus_width = {}}; }
 
   private:
     Periodic_mesh<d> mesh_;

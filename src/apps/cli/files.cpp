@@ -133,16 +133,16 @@ void print_summary(const Run_tracker<Moving>& tracker) {
     const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
     const auto percent = [&](std::uint64_t n) { return 100.0 * static_cast<double>(n) / asked; };
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    const bool tolerances = !r.tolerance.empty();
-    std::printf("%s, %s, strategy %s%s\n", counted_vertices(r.vertices).c_str(), steps_of(r, "iteration").c_str(),
-                r.strategy.c_str(), tolerances ? (", " + r.tolerance + " tolerances").c_str() : "");
+    std::printf("%s, %s, strategy %s, %s tolerances\n", counted_vertices(r.vertices).c_str(),
+                steps_of(r, "iteration").c_str(), r.strategy.c_str(), r.tolerance.c_str());
     std::printf("triangulation  %.3f s (%.1f ns a vertex and step), construction %.3f s, motion %.3f s, total %.3f s\n",
                 r.seconds.triangulation, r.moves.asked ? r.seconds.triangulation / asked * 1e9 : 0.0,
                 r.seconds.construction, r.seconds.motion, r.seconds.total);
     std::printf(
-        "moves          %s %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, rebuilt %.3f %%\n",
-        tolerances ? "within tolerance" : "at rest", percent(r.moves.within_tolerance), percent(r.moves.kept_in_place),
-        percent(r.moves.flipped), percent(r.moves.reinserted), percent(r.moves.rebuilt));
+        "moves          within tolerance %.3f %%, kept in place %.3f %%, flipped %.3f %%, reinserted %.4f %%, rebuilt "
+        "%.3f %%\n",
+        percent(r.moves.within_tolerance), percent(r.moves.kept_in_place), percent(r.moves.flipped),
+        percent(r.moves.reinserted), percent(r.moves.rebuilt));
     print_input(r.input, r.dimension);
     if (r.clip) std::printf("cells          clipped to %s\n", in_words(*r.clip).c_str());
     if (r.mesh_before && !r.steps.empty() && r.steps.back().mesh) {
@@ -153,9 +153,9 @@ void print_summary(const Run_tracker<Moving>& tracker) {
             count(a.cells), count(b.cells), count(a.slivers), count(b.slivers), a.dihedral_min, b.dihedral_min,
             100.0 * static_cast<double>(b.locked) / static_cast<double>(std::max<std::uint64_t>(b.vertices, 1)));
     }
-    if (r.input.box.empty())  // in a periodic box they are not counted
-        std::printf("certificates   %llu decided: filter %llu, interval %llu, exact %llu\n",
-                    count(r.arithmetic.total()), count(r.arithmetic.filter), count(r.arithmetic.interval),
+    if (counts_certificates(r))
+        std::printf("certificates   %llu %s: filter %llu, interval %llu, exact %llu\n", count(r.arithmetic.total()),
+                    decided_word(r), count(r.arithmetic.filter), count(r.arithmetic.interval),
                     count(r.arithmetic.exact));
     if (r.memory_peak_bytes == 0) std::printf("memory         unknown: the system does not say\n");
     else std::printf("memory         %.1f MB at the peak\n", static_cast<double>(r.memory_peak_bytes) / 1e6);

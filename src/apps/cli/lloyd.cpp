@@ -103,7 +103,7 @@ Run add_lloyd_command(CLI::App& app, const Invocation& invocation) {
     const auto a = std::make_shared<Lloyd_call>();
     add_lloyd(*sub, a->lloyd);
     add_lloyd_box(*sub, a->box);
-    add_tracking(*sub, a->tracking);
+    add_tracking(*sub, a->tracking, true);
     add_frames(*sub, a->frames);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };

@@ -189,32 +189,29 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
     return tracker.record().audit.failed == 0 ? done : audit_failed;
 }
 
-/// In a periodic box a step flips or rebuilds: no tolerances, no points that are inserted again. All cells are bounded.
-void require_periodic(const Replay_call& a) {
-    if (!a.frames.clip.empty())
+/// Throws Error(usage) for wrong usage, where boundaries are open or in a periodic box.
+Options options_of(const Replay_call& a, bool periodic) {
+    static const std::string otherwise = ", or --open for open boundaries";
+    if (periodic && !a.frames.clip.empty())
         throw Error(Error_code::usage,
-                    "in a periodic box every Voronoi cell is bounded, and the cells fill the box: no --clip, or --open "
-                    "for open boundaries");
-    const Tracking_arguments& tracking = a.tracking;
-    if ((tracking.strategy != "auto" && tracking.strategy != "rebuild") || tracking.tolerance != "certified")
-        throw Error(
-            Error_code::usage,
-            "in a periodic box the tool keeps no tolerances: --strategy auto or rebuild, --tolerance certified, or "
-            "--open for open boundaries");
+                    "in a periodic box every Voronoi cell is bounded, and the cells fill the box: no --clip" +
+                        otherwise);
+    Options options = periodic ? boxed_options_of(a.tracking, a.common, otherwise) : options_of(a.tracking, a.common);
+    prepare(a.frames, a.common, options);
+    return options;
 }
 
 int run(const Replay_call& a, const std::string& command) {
     const auto begin = Clock::now();
     if (a.replay.open && !a.replay.box.empty()) throw Error(Error_code::usage, "--open and --box exclude each other");
     if (!a.replay.box.empty()) (void)parse_box(a.replay.box);
-    Options options = options_of(a.tracking, a.common);  // reports wrong usage before a file is opened
-    prepare(a.frames, a.common, options);
+    // Before a file is opened: what is wrong usage whatever its box is.
+    (void)options_of(a, !a.replay.box.empty() || (a.tracking.strategy == "signs" && !a.replay.open));
     Opened_motion motion = open_motion(a.replay);
-    if (motion.periodic) {
-        require_periodic(a);
+    const Options options = options_of(a, motion.periodic);
+    if (motion.periodic)
         return motion.dimension == 2 ? replay<Boxed_mesh<2>>(a, options, command, motion, begin)
                                      : replay<Boxed_mesh<3>>(a, options, command, motion, begin);
-    }
     return motion.dimension == 2 ? replay<Moving_mesh_2>(a, options, command, motion, begin)
                                  : replay<Moving_mesh_3>(a, options, command, motion, begin);
 }
@@ -229,7 +226,7 @@ Run add_replay_command(CLI::App& app, const Invocation& invocation) {
     add_box(*sub, a->replay.box);
     add_frames(*sub, a->frames);
     add_clip(*sub, a->frames);
-    add_tracking(*sub, a->tracking);
+    add_tracking(*sub, a->tracking, true);
     add_common(*sub, a->common, run_files);
     return [a, command = command_line(invocation.words)] { return run(*a, command); };
 }

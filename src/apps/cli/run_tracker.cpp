@@ -58,7 +58,7 @@ Run_tracker<Moving>::Run_tracker(std::string name, const std::function<Moving()>
       measure_(measure) {
     record_.dimension = d;
     record_.strategy = std::move(name);
-    if (Open_mesh<Moving>) record_.tolerance = name_of(options.tolerance);
+    record_.tolerance = name_of(options.tolerance);
     record_.threads = static_cast<unsigned>(options.threads);
     record_.vertices = dt_.number_of_vertices();
     record_.mean_spacing = spacing;
@@ -107,7 +107,7 @@ void Run_tracker<Moving>::record_step(const Move_result& report, double seconds,
     it.displacement_mean = way.mean / spacing_;
     it.displacement_max = way.max / spacing_;
     it.moves = moves_of(report.moves);
-    it.tested_tolerances = Open_mesh<Moving> && tests_tolerances(strategy_, report);
+    it.tested_tolerances = tests_tolerances(strategy_, report);
     it.arithmetic = report.statistics.arithmetic;
     it.certificates_evaluated = report.statistics.evaluated;
     it.flips = report.statistics.flips;

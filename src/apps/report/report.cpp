@@ -35,7 +35,7 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
         append_row(out, "iterations",
                    grouped(run.iterations - (run.finished ? 1 : 0)) + (run.finished ? " and a finish" : ""));
     append_row(out, "strategy", escaped(run.strategy));
-    if (!run.tolerance.empty()) append_row(out, "tolerance", escaped(run.tolerance));
+    append_row(out, "tolerance", escaped(run.tolerance));
     append_row(out, "threads", grouped(run.threads));
     append_row(out, "seed", std::to_string(run.seed));
     if (run.mean_spacing > 0) append_row(out, "mean spacing", readable(run.mean_spacing));
@@ -47,9 +47,9 @@ void append_numbers(std::string& out, const Run_record& run, const std::string& 
     append_row(out, "total time" + all, duration(run.seconds.total));
     append_row(out, "peak memory" + all, memory(run.memory_peak_bytes));
     append_row(out, "audits", in_words(run.audit));
-    if (run.input.box.empty()) {  // in a periodic box they are not counted
+    if (counts_certificates(run)) {
         const std::uint64_t decisions = run.arithmetic.total();
-        append_row(out, "certificates decided", grouped(decisions));
+        append_row(out, std::string("certificates ") + decided_word(run), grouped(decisions));
         append_row(out, "by the filter", with_share(run.arithmetic.filter, decisions));
         append_row(out, "by intervals", with_share(run.arithmetic.interval, decisions));
         append_row(out, "exactly", with_share(run.arithmetic.exact, decisions));
@@ -185,9 +185,7 @@ std::string report_html(const Report& report) {
     for (const Figure& figure : report.figures) append_plots(out, figure.heading, figure.panels, figure.caption);
     // Of several strategies the page shows the iterations of the last one.
     const std::string of = report.comparison && report.comparison->runs.size() > 1 ? ": " + run.strategy : "";
-    const char* const course = !run.replayed           ? "Convergence"
-                               : run.tolerance.empty() ? "Displacements"
-                                                       : "Displacements and tolerances";
+    const char* const course = run.replayed ? "Displacements and tolerances" : "Convergence";
     append_plots(out, course + of, convergence_plots(report),
                  "Lengths in mean spacings: " + mean_spacing_of(run) + ".");
     const Tested_moves tested = tested_moves(run);

@@ -124,7 +124,7 @@ struct Run_record {
     bool finished = false;     ///< the last step is no iteration: nodt --finish
     bool replayed = false;     ///< the steps are from frame to frame of a file, and pages call them frames
     std::string strategy;
-    std::string tolerance;  ///< empty where there are none: in a periodic box
+    std::string tolerance;  ///< kind of tolerance
     unsigned threads = 1;
     std::uint64_t seed = 0;
     Seconds_record seconds;
@@ -154,11 +154,20 @@ struct Run_record {
                                  : "iteration, the last: the finish";
 }
 
-/// Whether the strategy of a run tests tolerances: not where it rebuilds, relocates or evaluates all signs, nor in a
-/// periodic box. "paper:floating" is `paper` with another kind of tolerance.
+/// Whether the strategy of a run tests tolerances: not where it rebuilds, relocates or evaluates all signs.
+/// "paper:floating" is `paper` with another kind of tolerance.
 [[nodiscard]] inline bool has_tolerances(const Run_record& run) {
     const std::string_view name = std::string_view(run.strategy).substr(0, run.strategy.find(':'));
-    return !run.tolerance.empty() && (name == "auto" || name.starts_with("tolerances") || name.starts_with("paper"));
+    return name == "auto" || name.starts_with("tolerances") || name.starts_with("paper");
+}
+
+/// Whether a run counts the certificates that it decides: in a periodic box those for tolerances alone.
+[[nodiscard]] inline bool counts_certificates(const Run_record& run) {
+    return run.input.box.empty() || has_tolerances(run);
+}
+/// What pages and the terminal call them.
+[[nodiscard]] inline const char* decided_word(const Run_record& run) {
+    return run.input.box.empty() ? "decided" : "decided for tolerances";
 }
 
 /// Whether flips of a run are counted: not those of the paper's algorithm, which it makes in 2D.

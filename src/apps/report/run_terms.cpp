@@ -28,11 +28,14 @@ std::string on_kind(const std::string& kind) {
 
 /// Certificates and their tolerances, of which kinds, and how the runs test them.
 void append_tolerances(Terms& terms, bool plane, const std::vector<Run_record>& runs) {
-    for (Term& term : certificate_terms({plane, !plane})) terms.push_back(std::move(term));
+    const bool boxed = in_box(runs.front());
+    for (Term& term : certificate_terms({plane, !plane, !boxed})) terms.push_back(std::move(term));
     std::string& tolerance = terms.back().meaning;
     std::set<std::string> kinds;
     for (const Run_record& run : runs)
         if (kinds.insert(run.tolerance).second) tolerance += on_kind(run.tolerance);
+    if (boxed)
+        tolerance += " Ways are relative to the box; where its shape changes, a certificate loses what it is deformed.";
     if (std::none_of(runs.begin(), runs.end(), has_tolerances)) {
         tolerance += runs.size() == 1 ? " The strategy " + runs.front().strategy + " tests no tolerances."
                                       : " These strategies test no tolerances.";
@@ -81,10 +84,9 @@ void append_run_terms(std::string& out, const Report& report) {
     const Run_record& run = report.run;
     const bool plane = run.dimension == 2;
     Terms terms{{"Mean spacing", "The unit of lengths: " + mean_spacing_of(run) + "."}};
-    if (!run.tolerance.empty())
-        append_tolerances(
-            terms, plane,
-            report.comparison && !report.comparison->runs.empty() ? report.comparison->runs : std::vector{run});
+    append_tolerances(
+        terms, plane,
+        report.comparison && !report.comparison->runs.empty() ? report.comparison->runs : std::vector{run});
     if (std::any_of(run.steps.begin(), run.steps.end(), [](const auto& s) { return s.mesh && s.mesh->locked > 0; }))
         terms.push_back({"Locked",
                          "A vertex that rests in an iteration, because all dihedral angles of its cells are between "

@@ -79,7 +79,7 @@ Json summary_json(const Run_record& run) {
     json["vertices"] = run.vertices;
     json["iterations"] = run.iterations;
     json["strategy"] = run.strategy;
-    json["tolerance"] = run.tolerance.empty() ? Json() : Json(run.tolerance);
+    json["tolerance"] = run.tolerance;
     json["threads"] = run.threads;
     json["seed"] = run.seed;
     json["seconds"] = Json{
