@@ -65,9 +65,9 @@ set(annulus_solid_scene_sources src/apps/cli/guided_nodt.cpp src/apps/cli/nodt_s
 # Shared by all programs: arguments, files, and the scenes of motions.
 set(annulus_scene_sources ${annulus_cli_sources})
 list(FILTER annulus_scene_sources INCLUDE REGEX "/(arguments|interruption|process|progress|result_files|tool)[.]cpp$|\
-/(compare|files|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|replay_scene)[.]cpp$|\
+/(compare|files|guided_box|guided_motion|input|lloyd_scene|mesh_3|nodt_arguments|print_comparison|replay_scene)[.]cpp$|\
 /frame_(arguments|box|clip|files|measures)[.]cpp$|\
-/(box_size|boxed_mesh|image_path|pair_changes|run_tracker|solid_mesh|tracker)[.]cpp$")
+/(box_size|boxed_mesh|boxed_scene|image_path|pair_changes|run_tracker|solid_mesh|tracker)[.]cpp$")
 list(FILTER annulus_cli_sources EXCLUDE REGEX "/(nodt|sweep|reproduce|nodt_main|sweep_main|reproduce_main|\
 reproduction_scenes|guided_nodt|nodt_scene|domain_files|finishing)[.]cpp$")
 list(REMOVE_ITEM annulus_cli_sources ${annulus_scene_sources})

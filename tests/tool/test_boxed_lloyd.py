@@ -161,7 +161,8 @@ class BoxedLloyd(frames.FrameTest):
 
     def test_what_there_is_with_open_boundaries_only_is_refused(self):
         box = ["lloyd", "--points", 20, "--box", "1,1"]
-        for words, what in ((["--strategy", "in-place"], "the strategies are auto, rebuild, signs and tolerances, not in-place"),
+        for words, what in ((["--strategy", "in-place"],
+                             "the strategies are auto, rebuild, signs and tolerances, not in-place"),
                             (["--strategy", "paper", "--tolerance", "paper"], "tolerances are certified, not paper"),
                             (["--density", "x2"], "in a periodic box the density is one"),
                             (["--density", "picture.png"], "in a periodic box the density is one"),

@@ -77,9 +77,10 @@ void add_tracking(CLI::App& app, Tracking_arguments& a, bool boxed) {
                                         "tolerances", "tolerances-each", "paper",    "paper-hybrid"};
     if (boxed) strategies.emplace_back("signs");
     app.add_option("--strategy", a.strategy,
-                   boxed ? "How the triangulation is kept right; in a periodic box auto, rebuild, tolerances, or signs,\n"
-                           "which is for boxes only"
-                         : "How the triangulation is kept right")
+                   boxed
+                       ? "How the triangulation is kept right; in a periodic box auto, rebuild, tolerances, or signs,\n"
+                         "which is for boxes only"
+                       : "How the triangulation is kept right")
         ->check(CLI::IsMember(strategies))
         ->capture_default_str();
     app.add_option("--tolerance", a.tolerance,
@@ -116,8 +117,9 @@ Options boxed_options_of(const Tracking_arguments& tracking, const Common_argume
     Tracking_arguments open = tracking;
     if (tracking.strategy == "signs") open.strategy = name_of(Strategy::in_place);
     else if (tracking.strategy != "rebuild" && !periodic_strategy_named(tracking.strategy))
-        throw Error(Error_code::usage, "in a periodic box the strategies are auto, rebuild, signs and tolerances, not " +
-                                           tracking.strategy + otherwise);
+        throw Error(Error_code::usage,
+                    "in a periodic box the strategies are auto, rebuild, signs and tolerances, not " +
+                        tracking.strategy + otherwise);
     return options_of(open, common);
 }
 

@@ -17,8 +17,6 @@ struct Boxed_lloyd_call {
     const std::string& box;
 };
 
-void add_lloyd_box(CLI::App& app, std::string& box);
-
 /// Lloyd iterations in the periodic box of --box, in 2D or 3D, with density 1. Returns the exit status. Throws
 /// Input_error or Error.
 [[nodiscard]] int run_boxed_lloyd(const Boxed_lloyd_call& call, const std::string& command);

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/compare.h>
 #include <apps/cli/files.h>
+#include <apps/cli/guided_box.h>
 #include <apps/cli/guided_motion.h>
-#include <apps/cli/input.h>
+#include <apps/cli/print_comparison.h>
 #include <apps/cli/progress.h>
 #include <apps/cli/result_files.h>
 #include <apps/cli/stopwatch.h>
 #include <apps/cli/tracker.h>
-#include <apps/formats/formatted.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/write_csv.h>
 #include <apps/formats/write_json.h>
 #include <apps/report/axis_ticks.h>
-#include <apps/report/finding.h>
 #include <apps/report/summary.h>
 
 #include <algorithm>
@@ -30,7 +29,12 @@ namespace {
 struct Compare_call {
     Common_arguments common;
     std::vector<std::string> strategies{"rebuild", "relocate", "auto"};
+    bool chosen = false;  ///< --strategies
 };
+
+/// What follows a motion.
+template <class Moving>
+using Follower = std::conditional_t<Open_mesh<Moving>, Tracker<Moving>, Run_tracker<Moving>>;
 
 /// Parses "tolerances" or "paper:floating": a strategy, and its kind of tolerance if that differs from the command's.
 Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
@@ -40,16 +44,30 @@ Tracking_arguments variant(Tracking_arguments t, const std::string& name) {
     return t;
 }
 
+Options options_of(const Tracking_arguments& tracking, const Common_arguments& common, bool boxed) {
+    return boxed ? boxed_options_of(tracking, common) : options_of(tracking, common);
+}
+
+template <int d>
+void follow(Tracker<Moving_mesh<d>>& tracker, const Time_step<d>& s) {
+    if (s.leave.empty() && s.arrive.empty()) tracker.step(s.x, s.seconds, s.way.mean, s.way.max);
+    else (void)tracker.follow(s.leave, s.x, s.arrive, s.seconds, s.way.mean, s.way.max);
+}
+template <int d>
+void follow(Run_tracker<Boxed_mesh<d>>& tracker, const Boxed_step<d>& s) {
+    tracker.step([&](Boxed_mesh<d>& dt) { return dt.follow(s.id, s.x, *s.box); }, s.seconds, s.way);
+}
+
 template <class Moving>
-void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record& out) {
-    const auto cells = trackers[0].canonical_cells();
+void compare_ends(const std::deque<Follower<Moving>>& trackers, Comparison_record& out) {
+    const auto cells = canonical_cells(trackers[0].triangulation());
     const bool degenerate = trackers[0].triangulation().audit().degenerate_facets > 0;
     for (std::size_t k = 0; k < trackers.size(); ++k) {
         const Audit_result audit = trackers[k].triangulation().audit();
         const std::string& name = trackers[k].record().strategy;
         if (!audit.delaunay()) out.disagreements.push_back(name + " is not Delaunay at the end: " + audit.first_fault);
         // If points are cocircular or cospherical, the triangulation is not unique, and only the audits count.
-        if (!degenerate && trackers[k].canonical_cells() != cells)
+        if (!degenerate && canonical_cells(trackers[k].triangulation()) != cells)
             out.disagreements.push_back(name + " ends with other cells than " + trackers[0].record().strategy);
     }
     out.agree = out.disagreements.empty();
@@ -57,7 +75,7 @@ void compare_ends(const std::deque<Tracker<Moving>>& trackers, Comparison_record
 
 template <class Moving>
 void write_comparison(const Common_arguments& arguments, const Guided_motion<Moving>& motion,
-                      const std::deque<Tracker<Moving>>& trackers, const Comparison_record& comparison,
+                      const std::deque<Follower<Moving>>& trackers, const Comparison_record& comparison,
                       std::optional<Picture> before) {
     Report report;
     const auto& shown = trackers.back();
@@ -83,43 +101,17 @@ void write_comparison(const Common_arguments& arguments, const Guided_motion<Mov
     out.commit();
 }
 
-void print(const Comparison_record& c) {
-    std::printf("%-24s %14s %12s %12s %10s %14s\n", "strategy", "triangulation", "ns/vertex", "within tol.", "audits",
-                "construction");
-    for (const Run_record& r : c.runs) {
-        const auto asked = static_cast<double>(r.moves.asked > 0 ? r.moves.asked : 1);
-        const Tested_moves tested = tested_moves(r);
-        const std::string within = tested.asked == 0
-                                       ? "-"
-                                       : formatted("%.2f %%", 100.0 * static_cast<double>(tested.within_tolerance) /
-                                                                  static_cast<double>(tested.asked));
-        std::printf("%-24s %12.3f s %12.1f %12s %8llu/%llu %12.3f s\n", r.strategy.c_str(), r.seconds.triangulation,
-                    r.seconds.triangulation / asked * 1e9, within.c_str(),
-                    static_cast<unsigned long long>(r.audit.checked - r.audit.failed),
-                    static_cast<unsigned long long>(r.audit.checked), r.seconds.construction);
-    }
-    for (const Run_record& a : c.runs)
-        for (const Run_record& b : c.runs)
-            if (&a != &b && b.seconds.triangulation > 0 && a.seconds.triangulation >= b.seconds.triangulation)
-                std::printf("%s/%s %.2f of the sums, %.2f of the medians\n", a.strategy.c_str(), b.strategy.c_str(),
-                            a.seconds.triangulation / b.seconds.triangulation,
-                            median_step(b) > 0 ? median_step(a) / median_step(b) : 0);
-    print_input(c.runs[0].input, c.runs[0].dimension);
-    if (c.agree) std::printf("all strategies agree\n");
-    for (const std::string& line : c.disagreements) std::printf("DISAGREE: %s\n", line.c_str());
-}
-
 template <class Moving>
 int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<Moving>& motion,
             std::uint64_t iterations, const Tracking_arguments& tracking, const Common_arguments& common,
             Clock::time_point begin, const std::function<Input_record()>& input) {
-    constexpr int d = Moving::dimension_of_space;
     const bool files = !a.common.output.empty();
-    std::deque<Tracker<Moving>> trackers;
+    std::deque<Follower<Moving>> trackers;
     for (const std::string& name : a.strategies) {
-        const Options options = options_of(variant(tracking, name), common);
-        trackers.emplace_back(name, motion.points(), options, motion.spacing(), iterations, tracking.audit,
-                              files && name == a.strategies.back());
+        const Options options = options_of(variant(tracking, name), common, !Open_mesh<Moving>);
+        trackers.emplace_back(
+            name, [&] { return motion.start(options); }, options, motion.spacing(), iterations, tracking.audit,
+            files && name == a.strategies.back());
         if (motion.replayed()) trackers.back().note_replay();
     }
     std::optional<Picture> before;
@@ -128,7 +120,7 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
     // Blocks of consecutive time steps are recorded. Each strategy follows a whole block, so that the other strategies
     // and the motion do not replace its data in the caches between two steps.
     constexpr std::size_t recording_bytes = std::size_t{256} << 20;
-    std::vector<Time_step<d>> block;
+    std::vector<typename Guided_motion<Moving>::Step> block;
     std::optional<Interruption_guard> guard;
     if (files) guard.emplace();
     bool stopped = false, ended = motion.at_end();
@@ -149,9 +141,7 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
         for (std::size_t t = 0; t < trackers.size(); ++t) {
             if (ended) trackers[t].ends_after(done_steps + now);
             for (std::size_t k = 0; k < now && !stopped; ++k) {
-                const Time_step<d>& s = block[k];
-                if (s.leave.empty() && s.arrive.empty()) trackers[t].step(s.x, s.seconds, s.way.mean, s.way.max);
-                else (void)trackers[t].follow(s.leave, s.x, s.arrive, s.seconds, s.way.mean, s.way.max);
+                follow(trackers[t], block[k]);
                 progress->show(done_steps * strategies + t * now + k + 1, a.strategies[t]);
                 stopped = Interruption_guard::interrupted();
             }
@@ -166,20 +156,20 @@ int compare(const Compare_call& a, const Invocation& invocation, Guided_motion<M
         comparison.runs.push_back(t.record());
         comparison.interrupted = comparison.interrupted || t.record().interrupted;
     }
-    if (!comparison.interrupted) compare_ends(trackers, comparison);
+    if (!comparison.interrupted) compare_ends<Moving>(trackers, comparison);
     if (files) write_comparison(a.common, motion, trackers, comparison, std::move(before));
     if (comparison.interrupted) {
         say_interrupted(a.common, comparison.runs.front().iterations,
                         iterations == unknown_iterations ? std::nullopt : std::optional(iterations));
         return done;
     }
-    if (!a.common.quiet) print(comparison);
+    if (!a.common.quiet) print_comparison(comparison);
     const bool audits = std::all_of(comparison.runs.begin(), comparison.runs.end(),
                                     [](const Run_record& r) { return r.audit.failed == 0; });
     return comparison.agree && audits ? done : audit_failed;
 }
 
-int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt) {
+int run(Compare_call a, const Invocation& invocation, Make_nodt make_nodt) {
     // The inner command is parsed by the same rules as a command of its own.
     CLI::App inner("the motion to compare on", "annulus compare --");
     Common_arguments common;
@@ -187,12 +177,16 @@ int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt
     Lloyd_arguments lloyd;
     Nodt_arguments nodt;
     Replay_arguments replay;
+    replay.boxed = true;
+    std::string box;  // of lloyd
     auto* lloyd_command = inner.add_subcommand("lloyd", "Lloyd iterations in 2D");
     auto* nodt_command = inner.add_subcommand("nodt", "Natural-ODT optimisation of a tetrahedral mesh");
     auto* replay_command = inner.add_subcommand("replay", "A recorded motion");
     add_lloyd(*lloyd_command, lloyd);
     add_nodt(*nodt_command, nodt);
     add_replay(*replay_command, replay);
+    add_lloyd_box(*lloyd_command, box);
+    add_box(*replay_command, replay.box);
     for (auto* command : {lloyd_command, nodt_command, replay_command}) {
         add_tracking(*command, tracking);
         add_common(*command, common, run_files);
@@ -214,9 +208,27 @@ int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt
     if (chosen.count("--seed") == 0) common.seed = a.common.seed;
     if (chosen.count("--threads") == 0) common.threads = a.common.threads;
     common.quiet = common.quiet || a.common.quiet;
-    for (const std::string& name : a.strategies)
-        (void)options_of(variant(tracking, name), common);  // reports wrong usage before anything is read
+    const auto require_strategies = [&](bool boxed) {
+        if (boxed && !a.chosen) a.strategies = {"rebuild", "signs", "auto"};
+        for (const std::string& name : a.strategies) (void)options_of(variant(tracking, name), common, boxed);
+    };
+    // Reports wrong usage before anything is read; whether there is a box, a file says.
+    if (replay.open && !replay.box.empty()) throw Error(Error_code::usage, "--open and --box exclude each other");
+    const bool boxed = !box.empty() || !replay.box.empty();
+    const bool names_signs = std::find(a.strategies.begin(), a.strategies.end(), "signs") != a.strategies.end();
+    require_strategies(boxed || (&chosen == replay_command && names_signs && !replay.open));
+    if (boxed) (void)parse_box(box.empty() ? replay.box : box);
+    if (!box.empty()) require_boxed(lloyd);
     if (!a.common.output.empty()) require_writable(a.common);
+    if (!box.empty()) {
+        const auto follow_in = [&]<int d>(std::integral_constant<int, d>) {
+            Guided_boxed_lloyd<d> motion(lloyd, box, common);
+            return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin,
+                           [&] { return motion.input(); });
+        };
+        return dimension_of_box(parse_box(box)) == 2 ? follow_in(std::integral_constant<int, 2>())
+                                                     : follow_in(std::integral_constant<int, 3>());
+    }
     if (&chosen == lloyd_command) {
         Guided_lloyd motion(lloyd, common);
         return compare(a, invocation, motion, lloyd.iterations, tracking, common, begin,
@@ -227,16 +239,20 @@ int run(const Compare_call& a, const Invocation& invocation, Make_nodt make_nodt
         return compare(a, invocation, *motion, nodt.iterations, tracking, common, begin, [] { return Input_record(); });
     }
     Opened_motion motion = open_motion(replay);
-    const auto follow = [&]<class Moving>(std::in_place_type_t<Moving>) {
-        Replayed_frames<Moving::dimension_of_space> frames(motion, replay);
-        Guided_replay<Moving> guided(frames);
-        const int status =
-            compare(a, invocation, guided, unknown_iterations, tracking, common, begin, [&] { return motion.input(); });
+    require_strategies(motion.periodic);
+    const auto follow_in = [&]<class Guided>(std::in_place_type_t<Guided>) {
+        Replayed_frames<Guided::d> frames(motion, replay);
+        Guided guided(frames);
+        const int status = compare<typename Guided::Moving>(a, invocation, guided, unknown_iterations, tracking, common,
+                                                            begin, [&] { return frames.input(motion); });
         common.say_notes(motion.reader.notes());
         return status;
     };
-    return motion.dimension == 2 ? follow(std::in_place_type<Moving_mesh_2>)
-                                 : follow(std::in_place_type<Moving_mesh_3>);
+    if (motion.periodic)
+        return motion.dimension == 2 ? follow_in(std::in_place_type<Guided_boxed_replay<2>>)
+                                     : follow_in(std::in_place_type<Guided_boxed_replay<3>>);
+    return motion.dimension == 2 ? follow_in(std::in_place_type<Guided_replay<Moving_mesh_2>>)
+                                 : follow_in(std::in_place_type<Guided_replay<Moving_mesh_3>>);
 }
 
 }  // namespace
@@ -247,11 +263,13 @@ Run add_compare(CLI::App& app, const Invocation& invocation, Make_nodt make_nodt
         "The same motion under several strategies: annulus compare --strategies a,b -- lloyd|nodt|replay ...");
     const auto a = std::make_shared<Compare_call>();
     sub->add_option("--strategies", a->strategies,
-                    "Strategies, separated by commas; NAME:KIND changes the tolerance of one (paper:floating)")
+                    "Strategies, separated by commas; NAME:KIND changes the tolerance of one (paper:floating). In a\n"
+                    "periodic box those of replay there; default rebuild,signs,auto")
         ->delimiter(',')
         ->capture_default_str();
     add_common(*sub, a->common, "compare.json, report.html and a table for each strategy");
-    return [a, &invocation, make_nodt] {
+    return [a, sub, &invocation, make_nodt] {
+        a->chosen = sub->count("--strategies") > 0;
         if (invocation.inner.empty())
             throw CLI::ValidationError("compare", "say what to compare on: annulus compare ... -- lloyd --points 1000");
         for (std::size_t i = 0; i < a->strategies.size(); ++i)

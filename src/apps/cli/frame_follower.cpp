@@ -2,8 +2,6 @@
 #include <apps/cli/frame_follower.h>
 #include <apps/report/axis_ticks.h>
 
-#include <annulus/error.h>
-
 #include <algorithm>
 #include <iterator>
 #include <numeric>
@@ -53,24 +51,13 @@ std::uint64_t missing(std::span<const std::uint64_t> a, std::span<const std::uin
     return result.size();
 }
 
-/// Calls the triangulation; its errors name points of the frame.
-template <int d, class Call>
-auto with_faults_of(const Replayed_frames<d>& frames, const Frame_points<d>& frame, Call call) {
-    try {
-        return call();
-    } catch (const Error& error) {
-        if (error.vertices().empty()) throw;
-        frames.fail(error, frame);
-    }
-}
-
 }  // namespace
 
 template <int d>
 std::function<Boxed_mesh<d>()> Frame_follower<Boxed_mesh<d>>::make(const Frame_points<d>& frame,
                                                                    const Options& options) const {
     return [this, &frame, options] {
-        return with_faults_of(frames_, frame, [&] { return Moving(frame.id, frame.x, frames_.box(), options); });
+        return frames_.with_faults(frame, [&] { return Moving(frame.id, frame.x, frames_.box(), options); });
     };
 }
 
@@ -89,7 +76,7 @@ void Frame_follower<Boxed_mesh<d>>::step(Follows& tracker, Frame_points<d>& fram
     Displacement way;
     tracker.step(
         [&](Moving& dt) {
-            return with_faults_of(frames_, frame, [&] {
+            return frames_.with_faults(frame, [&] {
                 const Move_result result = dt.follow(frame.id, frame.x, frames_.box());
                 way = {dt.path().mean(), dt.path().max()};
                 return result;

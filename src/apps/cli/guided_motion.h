@@ -8,17 +8,15 @@
 #include <apps/cli/tracker.h>
 #include <apps/motion/lloyd_2.h>
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace annulus::inline v1::cli {
-
-/// How far the vertices move in a step.
-struct Displacements {
-    double mean = 0, max = 0;
-};
 
 /// One time step: the indices of the vertices that leave, the new positions of the others by index, and the points that
 /// arrive after that.
@@ -26,28 +24,41 @@ template <int d>
 struct Time_step {
     std::vector<Index> leave{};
     std::vector<Coordinates<d>> x{}, arrive{};
-    Displacements way{};
+    Displacement way{};
     double seconds = 0;  ///< time that the motion took
 
     [[nodiscard]] std::size_t bytes() const { return (x.size() + arrive.size()) * sizeof(Coordinates<d>); }
 };
 
-/// A motion that strategies follow: the initial positions of its vertices, and its time steps.
+/// In a periodic box: all points, in the order of their ids, and the box.
+template <int d>
+struct Boxed_step {
+    std::vector<std::uint64_t> id{};
+    std::vector<Coordinates<d>> x{};
+    std::optional<Box<d>> box{};  ///< there always
+    Displacement way{};
+    double seconds = 0;  ///< time that the motion took
+
+    [[nodiscard]] std::size_t bytes() const { return x.size() * (sizeof(Coordinates<d>) + sizeof(std::uint64_t)); }
+};
+
+/// A motion that strategies follow: the triangulation of its initial points, and its time steps.
 template <class Moving_>
 class Guided_motion {
   public:
     using Moving = Moving_;
     static constexpr int d = Moving::dimension_of_space;
+    using Step = std::conditional_t<Open_mesh<Moving>, Time_step<d>, Boxed_step<d>>;
 
     virtual ~Guided_motion() = default;
     [[nodiscard]] virtual const char* step_name() const = 0;
     /// Whether the steps are from frame to frame of a file.
     [[nodiscard]] virtual bool replayed() const { return false; }
-    [[nodiscard]] virtual const std::vector<Coordinates<d>>& points() const = 0;
+    [[nodiscard]] virtual Moving start(const Options& options) const = 0;
     /// The unit of lengths.
     [[nodiscard]] virtual double spacing() const = 0;
     /// Computes the next time step; false if there is none.
-    virtual bool next(Time_step<d>& t) = 0;
+    virtual bool next(Step& t) = 0;
     [[nodiscard]] virtual bool at_end() { return false; }
     /// A picture of one of the triangulations that follow the motion.
     [[nodiscard]] virtual Picture picture(const Moving& dt, std::string caption) const = 0;
@@ -59,7 +70,8 @@ class Guided_lloyd final : public Guided_motion<Moving_mesh_2> {
   public:
     Guided_lloyd(const Lloyd_arguments& arguments, const Common_arguments& common);
     [[nodiscard]] const char* step_name() const override { return "Lloyd iteration"; }
-    [[nodiscard]] const std::vector<Coordinates<2>>& points() const override { return scene_.points; }
+    [[nodiscard]] const std::vector<Coordinates<2>>& points() const { return scene_.points; }
+    [[nodiscard]] Moving start(const Options& options) const override { return Moving(points(), options); }
     [[nodiscard]] double spacing() const override { return scene_.spacing(); }
     bool next(Time_step<2>& t) override;
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;
@@ -89,7 +101,7 @@ class Guided_replay final : public Guided_motion<Moving> {
     explicit Guided_replay(Replayed_frames<d>& frames);
     [[nodiscard]] const char* step_name() const override { return "frame"; }
     [[nodiscard]] bool replayed() const override { return true; }
-    [[nodiscard]] const std::vector<Coordinates<d>>& points() const override { return x_; }
+    [[nodiscard]] Moving start(const Options& options) const override { return Moving(x_, options); }
     [[nodiscard]] double spacing() const override { return frames_.spacing(); }
     bool next(Time_step<d>& t) override;
     [[nodiscard]] bool at_end() override { return frames_.at_end(); }

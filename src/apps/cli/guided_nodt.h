@@ -16,7 +16,8 @@ class Guided_nodt final : public Guided_motion<Moving_mesh_3> {
   public:
     Guided_nodt(const Nodt_arguments& arguments, const Common_arguments& common);
     [[nodiscard]] const char* step_name() const override { return "natural ODT iteration"; }
-    [[nodiscard]] const std::vector<Coordinates<3>>& points() const override { return scene_.points; }
+    [[nodiscard]] const std::vector<Coordinates<3>>& points() const { return scene_.points; }
+    [[nodiscard]] Moving start(const Options& options) const override { return Moving(points(), options); }
     [[nodiscard]] double spacing() const override { return scene_.spacing(); }
     bool next(Time_step<3>& t) override;
     [[nodiscard]] Picture picture(const Moving& dt, std::string caption) const override;

@@ -193,9 +193,9 @@ int replay(const Replay_call& a, const Options& options, const std::string& comm
 Options options_of(const Replay_call& a, bool periodic) {
     static const std::string otherwise = ", or --open for open boundaries";
     if (periodic && !a.frames.clip.empty())
-        throw Error(Error_code::usage,
-                    "in a periodic box every Voronoi cell is bounded, and the cells fill the box: no --clip" +
-                        otherwise);
+        throw Error(
+            Error_code::usage,
+            "in a periodic box every Voronoi cell is bounded, and the cells fill the box: no --clip" + otherwise);
     Options options = periodic ? boxed_options_of(a.tracking, a.common, otherwise) : options_of(a.tracking, a.common);
     prepare(a.frames, a.common, options);
     return options;

@@ -60,6 +60,16 @@ class Replayed_frames {
     [[nodiscard]] Input_record input(const Opened_motion& motion) const;
     /// Throws Input_error for an error of the triangulation of this frame, the last one, that names vertices.
     [[noreturn]] void fail(const Error& error, const Frame_points<d>& points) const;
+    /// Calls a triangulation of this frame, the last one; its errors name points of the frame.
+    template <class Call>
+    auto with_faults(const Frame_points<d>& points, Call call) const {
+        try {
+            return call();
+        } catch (const Error& error) {
+            if (error.vertices().empty()) throw;
+            fail(error, points);
+        }
+    }
     /// The unit of length: see spacing_of; in a box the d-th root of its volume per point.
     [[nodiscard]] double spacing() const { return spacing_; }
     [[nodiscard]] bool at_end();

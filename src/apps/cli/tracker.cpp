@@ -47,10 +47,9 @@ std::vector<Index> Tracker<Moving>::follow(std::span<const Index> leave, std::sp
     return indices;
 }
 
-template <class Moving>
-std::vector<std::array<Index, static_cast<std::size_t>(Moving::dimension_of_space) + 1>>
-Tracker<Moving>::canonical_cells() const {
-    auto cells = this->triangulation().audit_input().cells;
+template <int d>
+std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> canonical_cells(const Moving_mesh<d>& dt) {
+    auto cells = dt.audit_input().cells;
     for (auto& c : cells)
         if constexpr (d == 3) {
             std::sort(c.begin(), c.end());  // the audit has checked the orientation
@@ -62,6 +61,23 @@ Tracker<Moving>::canonical_cells() const {
     std::sort(cells.begin(), cells.end());
     return cells;
 }
+
+template <int d>
+std::vector<Boxed_cell<d>> canonical_cells(const Boxed_mesh<d>& dt) {
+    const Periodic_cells<d> in = dt.mesh().cells();  // with offsets from 0 on
+    std::vector<Boxed_cell<d>> cells(in.vertices.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        for (std::size_t k = 0; k <= d; ++k) cells[c][k] = {in.vertices[c][k], in.offsets[c][k]};
+        std::sort(cells[c].begin(), cells[c].end());  // the audit has checked the orientation
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+}
+
+template std::vector<std::array<Index, 3>> canonical_cells<2>(const Moving_mesh_2&);
+template std::vector<std::array<Index, 4>> canonical_cells<3>(const Moving_mesh_3&);
+template std::vector<Boxed_cell<2>> canonical_cells<2>(const Boxed_mesh<2>&);
+template std::vector<Boxed_cell<3>> canonical_cells<3>(const Boxed_mesh<3>&);
 
 template class Tracker<Moving_mesh_2>;
 template class Tracker<Moving_mesh_3>;

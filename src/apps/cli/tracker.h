@@ -34,10 +34,18 @@ class Tracker : public Run_tracker<Moving> {
     std::vector<Index> follow(std::span<const Index> leave, std::span<const Coordinates<d>> x,
                               std::span<const Coordinates<d>> arrive, double motion_seconds, double displacement_mean,
                               double displacement_max);
-    /// The cells in a canonical order, each with its vertices in a canonical order: equal for equal triangulations.
-    [[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(Moving::dimension_of_space) + 1>>
-    canonical_cells() const;
 };
+
+/// Corners of a cell in a periodic box: vertices, and which images of them.
+template <int d>
+using Boxed_cell = std::array<std::pair<Index, Shift<d>>, static_cast<std::size_t>(d) + 1>;
+
+/// The cells in a canonical order, each with its vertices in a canonical order: equal for equal triangulations, in a
+/// box of the same images of points. O(n log n).
+template <int d>
+[[nodiscard]] std::vector<std::array<Index, static_cast<std::size_t>(d) + 1>> canonical_cells(const Moving_mesh<d>& dt);
+template <int d>
+[[nodiscard]] std::vector<Boxed_cell<d>> canonical_cells(const Boxed_mesh<d>& dt);
 
 extern template class Tracker<Moving_mesh_2>;
 extern template class Tracker<Moving_mesh_3>;
