@@ -18,11 +18,12 @@ from ._analyze import analyze
 from ._batch import MovingDelaunayBatch
 from ._core import MoveResult, MoveStatistics
 from ._core import version as __version__
-from ._error import BatchError, Error, OpenBoundariesWarning, TableWarning
+from ._error import BatchError, Error, NotAvailableError, OpenBoundariesWarning, TableWarning
 from ._frame_result import FrameResult
 from ._functions import LloydResult, NodtResult, audit, counterexample, degeneracy, lloyd, nodt
 from ._moving_delaunay import MovingDelaunay
-from ._periodic import NotAvailableError, PeriodicDelaunay
+from ._periodic import PeriodicDelaunay
+from ._periodic_polytopes import PeriodicPolytopes
 from ._periodic_voronoi import PeriodicVoronoi
 from ._polytopes import VoronoiPolytopes
 from ._queries import AuditResult, Fault
@@ -30,8 +31,8 @@ from ._voronoi import Voronoi, t1
 
 __all__ = ["Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
            "MoveResult", "MoveStatistics", "MovingDelaunay", "MovingDelaunayBatch", "NodtResult", "NotAvailableError",
-           "OpenBoundariesWarning", "PeriodicDelaunay", "PeriodicVoronoi", "TableWarning", "Voronoi",
-           "VoronoiPolytopes", "__version__", "analyze", "audit", "counterexample", "degeneracy", "lloyd", "nodt",
-           "predicates", "t1"]
+           "OpenBoundariesWarning", "PeriodicDelaunay", "PeriodicPolytopes", "PeriodicVoronoi", "TableWarning",
+           "Voronoi", "VoronoiPolytopes", "__version__", "analyze", "audit", "counterexample", "degeneracy", "lloyd",
+           "nodt", "predicates", "t1"]
 
 MoveResult.__module__ = MoveStatistics.__module__ = "annulus"

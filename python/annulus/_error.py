@@ -99,3 +99,11 @@ class OpenBoundariesWarning(UserWarning):
 class TableWarning(UserWarning):
     """A reader of a table has passed something over, or what it took may have another meaning. The message begins with
     the file and the line."""
+
+
+class NotAvailableError(Error, NotImplementedError, AttributeError):
+    """Something that is not available with a periodic box. Its code is ``usage``. It is an `AttributeError`, too, so
+    that `hasattr` is False for what is missing."""
+
+    def __init__(self, what: str, code: str = "usage", vertices: tuple[int, ...] = ()) -> None:
+        super().__init__(what, code, vertices)

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arguments, _core
-from ._error import Error
+from ._error import Error, NotAvailableError
 from ._neighbors import VoronoiQueries
 from ._no_array import NoArray
-from ._periodic import NotAvailableError, made_with_box
+from ._periodic import made_with_box
 from ._plot import Plots
 from ._queries import Indices
 

@@ -4,35 +4,31 @@
 from __future__ import annotations
 
 import typing
-import warnings
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core
-from ._error import Error, OpenBoundariesWarning
+from ._error import Error, NotAvailableError
 from ._no_array import NoArray
+from ._periodic_arguments import plain
+from ._periodic_changes import PeriodicChanges
+from ._periodic_diagrams import PeriodicDiagrams
 from ._periodic_gradients import PeriodicGradients
-from ._periodic_voronoi import PeriodicDiagrams
+from ._periodic_lists import PeriodicLists
+from ._periodic_queries import PeriodicQueries
 from ._plot import Plots
 from ._queries import AuditResult, Floats, Indices, audit_result_of
 
-_QUANTITIES = "ijdDSA"
 STRATEGIES = ("auto", "signs", "tolerances")
-_MISSING = ("recompute_tolerances", "convex_hull", "flat_simplices", "vertex_neighbor_vertices", "vertex_to_simplex",
-            "theta", "displacements", "vertex_of_input", "affine_dimension", "edges",
-            "voronoi_polytopes", "nearest_vertex", "interpolate")
+WITHOUT_MEANING = {
+    "convex_hull": "a torus has no border, so there is no hull",
+    "displacements": "tolerances are what is left of them, from where the points are: there are no fixed positions",
+}
 
 
-class NotAvailableError(Error, NotImplementedError, AttributeError):
-    """Something that is not available with a periodic box. Its code is ``usage``. It is an `AttributeError`, too, so
-    that `hasattr` is False for what is missing."""
-
-    def __init__(self, what: str, code: str = "usage", vertices: tuple[int, ...] = ()) -> None:
-        super().__init__(what, code, vertices)
-
-
-class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
+class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, PeriodicDiagrams, PeriodicGradients, Plots,
+                       NoArray):
     """The Delaunay triangulation of points in a periodic box: ``MovingDelaunay(points, box=box)`` makes one.
 
     It is that of the points and all their translates by the vectors of the box, as finitely many simplices with
@@ -67,8 +63,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
     Notes
     -----
     A `move` flips where a sign fails; where flips are stuck or would cost more it rebuilds, which costs what
-    constructing costs. There are no lists of simplices that change with a box yet: what `MovingDelaunay` has and this
-    class has not raises a `NotAvailableError`, which is an `Error`, a `NotImplementedError` and an `AttributeError`.
+    constructing costs. What `MovingDelaunay` has and this class has not, because it has no meaning in a box, raises a
+    `NotAvailableError` that says why. It is an `Error`, a `NotImplementedError` and an `AttributeError`.
 
     Vertices have indices in the order of the points. Removing a vertex makes its index free: `points` and what is by
     vertex are NaN there. The next insertion takes the index that was freed last.
@@ -91,13 +87,14 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
     _threads: int
     _report_changes: bool
     _strategy: str
+    _inputs: int
 
     def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1, report_changes: bool = False,
                  strategy: str = "auto") -> None:
         threads = _arguments.whole("threads", threads, 1, 2**31 - 1)
         report_changes = _arguments.truth("report_changes", report_changes)
         strategy = _arguments.choice("strategy", strategy, STRATEGIES)
-        array = _plain(points)
+        array = plain(points)
         if array.ndim != 2 or array.shape[1] not in (2, 3):
             raise Error(f"points must have shape (n, 2) or (n, 3), not {array.shape if array.ndim <= 8 else '(..)'}",
                         "wrong_size")
@@ -106,6 +103,7 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         self._threads = threads
         self._report_changes = report_changes
         self._strategy = strategy
+        self._inputs = len(array)
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None, *,
              indices: ArrayLike | None = None) -> _core.MoveResult:
@@ -139,10 +137,10 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         points, that is done, and the result counts all.
         """
         if indices is None:
-            return self._mesh.move(_plain(points), box)
+            return self._mesh.move(plain(points), box)
         if box is not None:
             raise Error("box cannot be given together with indices", "usage")
-        return self._mesh.move_some(_plain(points), indices)
+        return self._mesh.move_some(plain(points), indices)
 
     def insert(self, points: ArrayLike) -> Indices:
         """Inserts vertices: all of them or, if it raises an exception, none.
@@ -170,7 +168,7 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         that is thinner than simplices are long, it costs a construction. Several points also copy arrays, O(n); more
         than an eighth of all are constructed with the others at once.
         """
-        return self._mesh.insert(_plain(points))
+        return self._mesh.insert(plain(points))
 
     def remove(self, indices: ArrayLike) -> None:
         """Removes vertices: all of them or, if it raises an exception, none. Their indices become free. It costs what
@@ -186,6 +184,19 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
             With the code ``unknown_vertex`` for an index that is not that of a vertex, or that occurs twice.
         """
         self._mesh.remove(indices)
+
+    def recompute_tolerances(self) -> _core.MoveResult:
+        """Evaluates every certificate, and keeps `tolerances` from now on: those of the present points, of which
+        nothing is used up. With ``strategy='signs'`` it does nothing. O(n), in 3D a few microseconds a point. What is
+        kept may be an eighth less than what `tolerances` has while none are, since it has to hold in boxes that are a
+        little longer, too.
+
+        Returns
+        -------
+        MoveResult
+            Its `statistics` say what the call cost. Nothing has moved.
+        """
+        return self._mesh.recompute_tolerances()
 
     @property
     def points(self) -> Floats:
@@ -205,130 +216,16 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         return self._mesh.tolerances
 
     @property
+    def theta(self) -> Floats:
+        """ndarray of float64, shape (npoints,): the least theta of the bi-cells of each vertex and its images, in
+        radians; NaN at free indices. It is small where two neighbouring simplices have nearly the same circumcircle or
+        circumsphere. O(n)."""
+        return self._mesh.theta
+
+    @property
     def box(self) -> Floats:
         """ndarray of float64, shape (d, d): the vectors of the box as rows, rounded to its grid."""
         return self._mesh.box
-
-    @property
-    def simplices(self) -> Indices:
-        """ndarray of int32, shape (nsimplex, d + 1): vertices of the simplices, positively oriented, one simplex of
-        each set of translates. A vertex may occur several times in one."""
-        return self._mesh.simplices
-
-    @property
-    def simplex_offsets(self) -> NDArray[np.int8]:
-        """ndarray of int8, shape (nsimplex, d + 1, d): which image of its vertex each corner is. It is at
-        ``points[simplices] + simplex_offsets @ box``. The least offset of a simplex is 0 in each direction. Raises an
-        `Error` with the code ``too_large`` where one is above 127, as may be where neighbours were given 127 boxes
-        apart or more."""
-        return self._mesh.simplex_offsets
-
-    @property
-    def neighbors(self) -> Indices:
-        """ndarray of int32, shape (nsimplex, d + 1): the simplex beyond the facet opposite to each corner."""
-        return self._mesh.neighbors
-
-    @property
-    def neighbor_offsets(self) -> NDArray[np.int8]:
-        """ndarray of int8, shape (nsimplex, d + 1, d): what to add to the offsets of that simplex, so that the corners
-        of the common facet have the same ones. Raises an `Error` with the code ``too_large`` where one is not from
-        -128 to 127."""
-        return self._mesh.neighbor_offsets
-
-    def neighbor_list(self, quantities: str = "ijdDSA") -> typing.Any:
-        """Pairs of Voronoi cells that touch, with the facet between them, sorted by i, j and S.
-
-        Parameters
-        ----------
-        quantities : str, optional
-            What to return, as for `ase.neighborlist.neighbor_list`: ``i`` and ``j``, the points; ``d``, the distance;
-            ``D``, the vector ``points[j] - points[i] + S @ box``; ``S``, the shift; and ``A``, the length (2D) or area
-            (3D) of the facet: 0 where it is exactly empty, and only there.
-
-        Returns
-        -------
-        tuple of ndarrays, or one ndarray
-            In the order of `quantities`, with a row for each pair in each direction. A point may be its own neighbour,
-            and two points may be neighbours several times, with different S.
-        """
-        if not isinstance(quantities, str) or not quantities or set(quantities) - set(_QUANTITIES):
-            raise Error(f"quantities must be letters of {_QUANTITIES!r}, not {_arguments.described(quantities)}",
-                        "usage")
-        arrays = dict(zip(_QUANTITIES, self._mesh.neighbours()))
-        return arrays[quantities] if len(quantities) == 1 else tuple(arrays[q] for q in quantities)
-
-    def find_simplex(self, xi: ArrayLike) -> tuple[Indices, Indices]:
-        """The simplices that contain points, decided exactly for the points as they would be rounded.
-
-        Parameters
-        ----------
-        xi : array_like, shape (k, d)
-            Inside the box or not.
-
-        Returns
-        -------
-        simplices : ndarray of int32, shape (k,)
-            -1 for a point with a coordinate that is NaN, and without simplices.
-        shifts : ndarray of int32, shape (k, d)
-            Which image of the simplex it is: its corners are at ``points[simplices[s]] + (simplex_offsets[s] + shift)
-            @ box``.
-
-        Raises
-        ------
-        Error
-            With the codes ``wrong_size``, ``not_finite`` for infinity, ``out_of_domain``.
-        """
-        return self._mesh.find_simplex(_plain(xi))
-
-    @property
-    def pairs_made(self) -> tuple[Indices, Indices, Indices]:
-        """tuple of ndarrays, i, j and S: the pairs of neighbours that the last call of `move`, `insert` or `remove`
-        made, each once, i <= j, ascending: point j, moved by ``S @ box``, is a neighbour of point i since. Facets of
-        the triangulation count, also those that are exactly empty. Points that are given as other images change
-        nothing, nor does a box in another basis of its lattice. Raises an `Error` with the code ``usage`` without
-        `report_changes`."""
-        return self._mesh.pairs(True)
-
-    @property
-    def pairs_broken(self) -> tuple[Indices, Indices, Indices]:
-        """tuple of ndarrays, i, j and S: the pairs that the same call broke, by points and box before it."""
-        return self._mesh.pairs(False)
-
-    @property
-    def changed_simplices(self) -> tuple[Indices, Indices]:
-        """tuple of ndarrays, vertices (k, d + 1) and offsets (k, d + 1, d), int32: the simplices that the last call of
-        `move`, `insert` or `remove` created. They are positively oriented, as `simplices`, but each is written in one
-        way only: corners ascend by (vertex, offset), the last two exchanged where that makes the simplex positive, and
-        the least offset is 0 in each direction. Simplices ascend. Points that are given as other images change nothing,
-        nor does a box in another basis of its lattice. Raises an `Error` with the code ``usage`` without
-        `report_changes`."""
-        return self._mesh.changed_cells(True)
-
-    @property
-    def removed_simplices(self) -> tuple[Indices, Indices]:
-        """tuple of ndarrays, vertices and offsets: the simplices that the same call removed, by points and box before
-        it. A simplex that was turned over is in both lists, with its vertices in another order."""
-        return self._mesh.changed_cells(False)
-
-    def neighbor_counts(self, min_area: float = 0.0, strict: bool = True) -> Indices:
-        """The number of neighbours of each point.
-
-        Parameters
-        ----------
-        min_area : float, optional
-            Only neighbours are counted whose facet has a greater length or area, or with ``strict=False`` at least
-            this one.
-        strict : bool, optional
-            With 0 and True, the default, facets that are exactly empty are not counted, and all others are: 12 in fcc
-            crystals, 14 in bcc, as long as their coordinates are not rounded.
-
-        Returns
-        -------
-        ndarray of int32, shape (npoints,)
-            0 at free indices.
-        """
-        return self._mesh.neighbour_counts(_arguments.number("min_area", min_area),
-                                           _arguments.truth("strict", strict))
 
     def audit(self) -> AuditResult:
         """Checks the whole triangulation in integer arithmetic, with code that it does not share with what it checks.
@@ -341,29 +238,10 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         return audit_result_of(self._mesh.audit())
 
     @property
-    def ndim(self) -> int:
-        """int: d, 2 or 3."""
-        return 2 if isinstance(self._mesh, _core.Periodic2) else 3
-
-    @property
-    def npoints(self) -> int:
-        """int: rows of `points`, free indices included."""
-        return self._mesh.index_bound
-
-    @property
-    def nvertices(self) -> int:
-        """int: how many vertices there are."""
-        return self._mesh.vertices
-
-    @property
-    def is_vertex(self) -> NDArray[np.bool_]:
-        """ndarray of bool, shape (npoints,): False at free indices."""
-        return self._mesh.is_vertex
-
-    @property
-    def nsimplex(self) -> int:
-        """int: rows of `simplices`."""
-        return self._mesh.cells
+    def vertex_of_input(self) -> Indices:
+        """ndarray of int32, shape (n,): the vertex of each point given to the constructor: 0, 1, 2, .., as duplicate
+        points are not merged in a box."""
+        return np.arange(self._inputs, dtype=np.int32)
 
     @property
     def strategy(self) -> str:
@@ -371,8 +249,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         return self._strategy
 
     def __getattr__(self, name: str) -> typing.Any:
-        if name in _MISSING:
-            raise NotAvailableError(f"{name} is not available with a periodic box yet")
+        if name in WITHOUT_MEANING:
+            raise NotAvailableError(f"{name} is not available with a periodic box: {WITHOUT_MEANING[name]}")
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
     def __repr__(self) -> str:
@@ -401,22 +279,8 @@ class PeriodicDelaunay(PeriodicDiagrams, PeriodicGradients, Plots, NoArray):
         self._mesh = kind.build_again(state["vectors"], places, state["images"], state.get("free_indices", ()),
                                       more["_threads"], more.setdefault("_report_changes", False),
                                       more.setdefault("_strategy", "auto"))
+        more.setdefault("_inputs", len(places))  # which versions before did not keep
         self.__dict__.update(more)
-
-
-def _plain(points: ArrayLike) -> np.ndarray[typing.Any, typing.Any]:
-    """Positions as an array. Whatever box their object has, the one that is given counts, but its flags do not agree
-    with that if one is not set."""
-    if type(points) is np.ndarray:
-        return points
-    flags = None if isinstance(points, (list, tuple)) else _arguments.periodic_directions(points)
-    if flags is not None and not all(flags):
-        raise NotAvailableError(f"the points are an object with {list(map(int, flags))} as flags of its periodic "
-                                "directions, but with box= all are periodic: give its array of positions if they shall "
-                                "be")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", OpenBoundariesWarning)
-        return _arguments.array_of(points, "points")
 
 
 def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
@@ -426,9 +290,12 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
     options = _arguments.options("auto" if strategy == "signs" else strategy, tolerance, merge_duplicates, threads,
                                  report_changes, seed)
     if options["strategy"] not in ("rebuild", *STRATEGIES):
-        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box")
-    for name, usual in (("tolerance", "certified"), ("merge_duplicates", False)):
-        if options[name] != usual:
-            raise NotAvailableError(f"{name}={options[name]!r} is not available with a periodic box yet")
+        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box: there are 'auto', "
+                                "'signs' and 'tolerances'")
+    if options["tolerance"] != "certified":
+        raise NotAvailableError(f"tolerance={tolerance!r} is not available with a periodic box: there, all are "
+                                "certified")
+    if options["merge_duplicates"]:
+        raise NotAvailableError("merge_duplicates=True is not available with a periodic box yet")
     return PeriodicDelaunay(points, box, options["threads"], options["report_changes"],
                             "auto" if strategy == "rebuild" else strategy)

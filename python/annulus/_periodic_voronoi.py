@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`PeriodicVoronoi`, the diagram that `PeriodicDelaunay.voronoi` returns, and the volumes of its cells."""
+"""`PeriodicVoronoi`, the diagram that `PeriodicDelaunay.voronoi` returns."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ import operator
 import typing
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import NDArray
 
-from . import _core, _outputs
 from ._diagram import Diagram
 from ._error import Error
 from ._queries import Floats, Indices
@@ -159,8 +158,8 @@ class PeriodicVoronoi(Diagram):
         -------
         list of ndarray of float64, shape (k, d)
             The corners of each, beside ``points[i]``: in 3D counter-clockwise as seen from outside, in 2D with the cell
-            on the left. Those of the ridges in which i is the first point, then of those in which it is the second; of
-            a ridge between i and an image of i both sides.
+            on the left, and one after the other, counter-clockwise. In 3D those of the ridges in which i is the first
+            point, then of those in which it is the second; of a ridge between i and an image of i both sides.
 
         Raises
         ------
@@ -180,9 +179,16 @@ class PeriodicVoronoi(Diagram):
 
     @functools.cached_property
     def _sides(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Of point i sides[begin[i]:begin[i + 1]]: ridge r for its first point, r + nridges for its second."""
+        """Of point i sides[begin[i]:begin[i + 1]]: ridge r for its first point, r + nridges for its second; in 2D
+        counter-clockwise."""
         ends = self.ridge_points.T.reshape(-1)
-        sides = np.argsort(ends, kind="stable")
+        if self.points.shape[1] == 2:
+            to = np.concatenate([self.vectors, -self.vectors])
+            # Of a box that is thin along an axis: scaled, which keeps the order, directions are not alike.
+            to = np.ldexp(to, -np.frexp(np.abs(to).max(axis=0, initial=0.0))[1])
+            sides = np.lexsort((np.arctan2(to[:, 1], to[:, 0]), ends))
+        else:
+            sides = np.argsort(ends, kind="stable")
         return np.searchsorted(ends[sides], np.arange(len(self.points) + 1)), sides
 
     @functools.cached_property
@@ -193,10 +199,7 @@ class PeriodicVoronoi(Diagram):
             here, there = self._corners.reshape(-1, 2, 3).transpose(1, 0, 2)
             cell = self.ridge_points.T.reshape(-1)
             rows = np.concatenate([here, self._moved(there, self.ridge_shifts)])
-            to = np.concatenate([self.vectors, -self.vectors])
-            # Of a box that is thin along an axis: scaled, which keeps the order, directions are not alike.
-            to = np.ldexp(to, -np.frexp(np.abs(to).max(axis=0, initial=0.0))[1])
-            order = np.lexsort((np.arctan2(to[:, 1], to[:, 0]), cell))
+            order = self._sides[1]
         else:
             cell = np.repeat(self.ridge_points, size, axis=0).T.reshape(-1)
             shifts = np.repeat(self.ridge_shifts, size, axis=0)
@@ -225,40 +228,3 @@ class PeriodicVoronoi(Diagram):
         if not 0 <= i < len(self.points):
             raise Error(f"no point has the index {i}", "unknown_vertex", (i,))
         return i
-
-
-class PeriodicDiagrams:
-    """The part of `PeriodicDelaunay` that has Voronoi diagrams and volumes."""
-
-    _mesh: _core.Periodic2 | _core.Periodic3
-
-    def voronoi(self) -> PeriodicVoronoi:
-        """The Voronoi diagram: cells, their common facets, corners, with shifts.
-
-        Returns
-        -------
-        PeriodicVoronoi
-
-        Notes
-        -----
-        O(n), some microseconds for each point, computed afresh by each call. Facets of nearly cospherical points, for
-        which doubles are not accurate enough, are computed exactly, 20 microseconds each. There is no clip, as every
-        cell is bounded.
-        """
-        return PeriodicVoronoi(self._mesh.voronoi())
-
-    def voronoi_volumes(self, *, out: NDArray[typing.Any] | None = None,
-                        dtype: DTypeLike | None = None) -> NDArray[typing.Any]:
-        """The areas (2D) or volumes (3D) of the Voronoi cells, which add up to that of the box.
-
-        Parameters
-        ----------
-        out, dtype : optional
-            Where the numbers go, and as what: *Outputs* in `MovingDelaunay`.
-
-        Returns
-        -------
-        ndarray of float64, shape (npoints,)
-            Each with a relative error of at most 2**-33, 1.2e-10; NaN at free indices.
-        """
-        return _outputs.returned(self._mesh.voronoi_volumes, lambda: (self._mesh.index_bound,), out, dtype)

@@ -98,4 +98,5 @@ class VoronoiPolytopes:
 
     def __repr__(self) -> str:
         cells = np.count_nonzero(np.diff(self.side_indptr))  # without free indices and empty cells
-        return f"<VoronoiPolytopes: {cells} cells, {len(self.side_neighbors)} sides in {self.corners.shape[1]}D>"
+        return (f"<{type(self).__name__}: {cells} cells, {len(self.side_neighbors)} sides in "
+                f"{self.corners.shape[1]}D>")

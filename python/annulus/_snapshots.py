@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arguments
-from ._error import Error
-from ._periodic import NotAvailableError
+from ._error import Error, NotAvailableError
 from ._tracking_tables import TableFrame, TableOptions, Tracked, table_options_of, tracked_of
 from ._trajectory_files import opened
 

@@ -59,6 +59,30 @@ class Points_in {
     Numbers numbers_;
 };
 
+/// Positions of any shape (.., d), as SciPy's find_simplex takes them.
+template <int d>
+class Positions_in {
+  public:
+    /// Throws Error(wrong_size) for another shape.
+    explicit Positions_in(const py::object& object) : Positions_in(numbers_of(object, "xi")) {}
+    [[nodiscard]] const Points_in<d>& points() const { return points_; }
+    [[nodiscard]] std::span<const Coordinates<d>> span() const { return points_.span(); }
+    /// The shape without its last axis.
+    [[nodiscard]] const std::vector<py::ssize_t>& shape() const { return shape_; }
+
+  private:
+    explicit Positions_in(const Numbers& x) : points_(rows_of(x), "xi"), shape_(x.shape(), x.shape() + x.ndim() - 1) {}
+    [[nodiscard]] static Numbers rows_of(const Numbers& x) {
+        if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
+            throw Error(Error_code::wrong_size,
+                        "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
+        return x.attr("reshape")(x.size() / d, d).template cast<Numbers>();
+    }
+
+    Points_in<d> points_;
+    std::vector<py::ssize_t> shape_;
+};
+
 /// Vertex indices, (k,) or one number. Throws TypeError for anything but integers (also for masks), Error(wrong_size)
 /// for another shape, Error(unknown_vertex) for numbers that cannot be a vertex index.
 [[nodiscard]] std::vector<Index> indices_of(const py::object& object);

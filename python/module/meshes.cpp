@@ -12,15 +12,10 @@ namespace annulus::python {
 
 namespace {
 
-/// SciPy's find_simplex takes points of any shape (.., d).
 template <int d>
 py::array find_simplex(const Mesh<d>& mesh, const py::object& object) {
-    const Numbers x = numbers_of(object, "xi");
-    if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
-        throw Error(Error_code::wrong_size, "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
-    std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim() - 1);
-    const Points_in<d> points(x.attr("reshape")(x.size() / d, d).template cast<Numbers>(), "xi");
-    return give(mesh.find(points), std::move(shape));
+    const Positions_in<d> x(object);
+    return give(mesh.find(x.points()), x.shape());
 }
 
 /// The simplices of points that span d dimensions. Read-only views of the lists; empty otherwise.

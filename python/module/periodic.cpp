@@ -2,13 +2,14 @@
 // The classes Periodic2 and Periodic3, behind annulus.PeriodicDelaunay.
 #include <module/arrays.h>
 #include <module/audit_tuple.h>
-#include <module/box_vectors.h>
 #include <module/derivatives.h>
 #include <module/diagram.h>
 #include <module/finalizing.h>
 #include <module/parts.h>
+#include <module/periodic_arrays.h>
 #include <module/process_mutex.h>
 #include <module/report.h>
+#include <module/values.h>
 
 #include <annulus/periodic_mesh.h>
 
@@ -26,44 +27,6 @@
 namespace annulus::python {
 
 namespace {
-
-/// Shifts as int8, (m, corners, d).
-template <int d, std::size_t corners>
-py::array bytes_of(const std::vector<std::array<Shift<d>, corners>>& shifts) {
-    std::vector<std::int8_t> bytes;
-    bytes.reserve(shifts.size() * corners * d);
-    for (const auto& cell : shifts)
-        for (const Shift<d>& s : cell)
-            for (const std::int32_t x : s) {
-                if (!std::in_range<std::int8_t>(x))
-                    throw Error(Error_code::too_large, "an offset of " + std::to_string(x) +
-                                                           " boxes does not fit int8: points that are neighbours were "
-                                                           "given that many boxes apart");
-                bytes.push_back(static_cast<std::int8_t>(x));
-            }
-    const auto m = static_cast<py::ssize_t>(shifts.size());
-    return give(std::move(bytes), {m, static_cast<py::ssize_t>(corners), d});
-}
-
-template <int d>
-Saved_periodic_mesh<d> saved_of(const py::object& vectors, const py::object& places, const py::object& images,
-                                const py::object& free_indices) {
-    const Points_in<d> x(places, "places");
-    const auto k = whole_numbers_of(images, "images");
-    if (k.ndim() != 2 || k.shape(0) != static_cast<py::ssize_t>(x.span().size()) || k.shape(1) != d)
-        throw Error(Error_code::wrong_size, "images must have a row for each place, not the shape " + shape_of(k));
-    Saved_periodic_mesh<d> saved{
-        box_vectors_of<d>(vectors), {x.span().begin(), x.span().end()}, {}, indices_of(free_indices)};
-    saved.images.resize(saved.places.size());
-    for (std::size_t i = 0; i < saved.images.size(); ++i)
-        for (std::size_t c = 0; c < d; ++c) {
-            const std::int64_t image = k.data()[d * i + c];
-            if (!std::in_range<std::int32_t>(image))
-                throw Error(Error_code::bad_input, "an image of " + std::to_string(image) + " boxes is too far away");
-            saved.images[i][c] = static_cast<std::int32_t>(image);
-        }
-    return saved;
-}
 
 Periodic_strategy strategy_of(const std::string& name) {
     const auto strategy = periodic_strategy_named(name);
@@ -90,6 +53,9 @@ class Periodic {
         const std::vector<Index> i = indices_of(indices);
         return report(locked([&] { return mesh_.move(i, x.span()); }));
     }
+    Report recompute_tolerances() {
+        return report(locked([&] { return mesh_.recompute_tolerances(); }));
+    }
     py::array insert(const py::object& points) {
         const Points_in<d> x(points);
         return give(locked([&] { return mesh_.insert(x.span()); }));
@@ -107,6 +73,9 @@ class Periodic {
     }
     py::array tolerances() const {
         return give(locked([&] { return mesh_.tolerances(); }));
+    }
+    py::array thetas() const {
+        return give(locked([&] { return mesh_.thetas(); }));
     }
     py::array points() const {
         return give_rows(locked([&] { return std::vector(mesh_.points().begin(), mesh_.points().end()); }));
@@ -134,15 +103,37 @@ class Periodic {
     }
     /// The cells that contain points, and their shifts.
     py::tuple find_simplex(const py::object& points) const {
-        const Points_in<d> x(points);
-        const auto found = locked([&] { return mesh_.find_cells(x.span()); });
-        std::vector<Index> cells;
-        std::vector<Shift<d>> shifts;
-        for (const Periodic_location<d>& at : found) {
-            cells.push_back(at.cell);
-            shifts.push_back(at.shift);
-        }
-        return py::make_tuple(give(std::move(cells)), give_rows(std::move(shifts)));
+        const Positions_in<d> x(points);
+        return located(locked([&] { return mesh_.find_cells(x.span()); }), &Periodic_location<d>::cell, x);
+    }
+    /// The vertices that are nearest to points, and their shifts.
+    py::tuple nearest_vertex(const py::object& points) const {
+        const Positions_in<d> x(points);
+        auto found = locked([&] {
+            if (mesh_.number_of_vertices() == 0)
+                throw Error(Error_code::too_few, "there is no vertex to be the nearest");
+            return mesh_.nearest_vertices(x.span());
+        });
+        for (std::size_t k = 0; k < found.size(); ++k)
+            if (found[k].vertex < 0)
+                throw Error(Error_code::not_finite, "point " + std::to_string(k) + " is not a number",
+                            {static_cast<std::int64_t>(k)});
+        return located(found, &Periodic_image<d>::vertex, x);
+    }
+    py::array interpolate(const py::object& values, const py::object& positions) const {
+        const Positions_in<d> x(positions);
+        const Values_in f(values);
+        auto result = locked([&] {
+            f.require_rows(mesh_.index_bound());
+            const Periodic_weights<d> w = mesh_.natural_neighbours(x.span());
+            std::vector<double> out;
+            for (std::size_t k = 0; k + 1 < w.begin.size(); ++k)
+                f.append(
+                    out, w.begin[k + 1] - w.begin[k], [&](std::size_t i) { return w.image[w.begin[k] + i].vertex; },
+                    w.weight.data() + w.begin[k]);
+            return out;
+        });
+        return give(std::move(result), f.shape_at(x.shape()));
     }
     /// The pairs that the last call made, or broke: first, second, shift.
     py::tuple pairs(bool made) const {
@@ -220,6 +211,19 @@ class Periodic {
             throw Error(Error_code::usage, "the object was made without report_changes=True");
         return mesh_.changes();
     }
+    /// Numbers and shifts of what was found for positions, in arrays of their shape.
+    template <class Found>
+    static py::tuple located(const std::vector<Found>& found, Index Found::*number, const Positions_in<d>& x) {
+        std::vector<Index> numbers;
+        std::vector<std::int32_t> shifts;
+        for (const Found& at : found) {
+            numbers.push_back(at.*number);
+            shifts.insert(shifts.end(), at.shift.begin(), at.shift.end());
+        }
+        std::vector<py::ssize_t> rows = x.shape();
+        rows.push_back(d);
+        return py::make_tuple(give(std::move(numbers), x.shape()), give(std::move(shifts), std::move(rows)));
+    }
     static Report report(Move_result result) { return Report(std::move(result), d, false); }
     template <class Call>
     auto locked(Call call) const {
@@ -251,10 +255,13 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("state", &P::state)
         .def("move", &P::move)
         .def("move_some", &P::move_some)
+        .def("recompute_tolerances", &P::recompute_tolerances)
         .def("insert", &P::insert)
         .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)
         .def("find_simplex", &P::find_simplex)
+        .def("nearest_vertex", &P::nearest_vertex)
+        .def("interpolate", &P::interpolate)
         .def("pairs", &P::pairs)
         .def("changed_cells", &P::changed_cells)
         .def("neighbour_counts", &P::neighbour_counts)
@@ -265,6 +272,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("audit", &P::audit)
         .def_property_readonly("points", &P::points)
         .def_property_readonly("tolerances", &P::tolerances)
+        .def_property_readonly("theta", &P::thetas)
         .def_property_readonly("box", &P::box)
         .def_property_readonly("simplices", &P::simplices)
         .def_property_readonly("simplex_offsets", &P::simplex_offsets)

@@ -79,14 +79,9 @@ py::tuple polytopes_of(const Mesh<d>& mesh, const py::object& box, const py::obj
                           give(std::move(p.corner_begin)), give(std::move(p.side_corner)));
 }
 
-/// Points of any shape (.., d), as find_simplex takes them.
 template <int d>
 py::array nearest_vertex(const Mesh<d>& mesh, const py::object& object) {
-    const Numbers x = numbers_of(object, "xi");
-    if (x.ndim() == 0 || x.shape(x.ndim() - 1) != d)
-        throw Error(Error_code::wrong_size, "xi must have shape (.., " + std::to_string(d) + "), not " + shape_of(x));
-    std::vector<py::ssize_t> shape(x.shape(), x.shape() + x.ndim() - 1);
-    const Points_in<d> queries(x.attr("reshape")(x.size() / d, d).template cast<Numbers>(), "xi");
+    const Positions_in<d> queries(object);
     return give(mesh.read([&](const Moving_mesh<d>& of) {
         const auto points = queries.span();
         for (std::size_t k = 0; k < points.size(); ++k)
@@ -101,7 +96,7 @@ py::array nearest_vertex(const Mesh<d>& mesh, const py::object& object) {
         nearest_vertices<d>(of.points(), *of.vertex_neighbors(), first, points, found);
         return found;
     }),
-                std::move(shape));
+                queries.shape());
 }
 
 template <int d>

@@ -36,6 +36,38 @@ def area_vector(p):
     return np.cross(p[1:-1] - p[0], p[2:] - p[0]).sum(axis=0) / 2
 
 
+def check_polytopes(dt, v):
+    """The cells as polytopes are those of the diagram, with corners of their own."""
+    p, d = dt.voronoi_polytopes(), dt.ndim
+    assert isinstance(p, annulus.PeriodicPolytopes) and len(p) == dt.npoints
+    assert "PeriodicPolytopes: " in repr(p) and p.side_shifts.dtype == np.int32
+    assert len(p.side_neighbors) == len(p.side_shifts) == 2 * len(v.ridge_points) == p.side_indptr[-1]
+    assert len(p.side_corners) == p.corner_indptr[-1]
+    seen = np.zeros(len(p.corners), dtype=int)
+    for i in range(dt.npoints):
+        faces = p.faces(i)
+        own = range(p.side_indptr[i], p.side_indptr[i + 1])
+        expected = [*((j, *s) for (k, j), s in zip(v.ridge_points.tolist(), v.ridge_shifts.tolist()) if k == i),
+                    *((k, *(-c for c in s)) for (k, j), s in zip(v.ridge_points.tolist(), v.ridge_shifts.tolist())
+                      if j == i)]
+        assert sorted((p.side_neighbors[s], *p.side_shifts[s]) for s in own) == sorted(expected)
+        for face, theirs, s in zip(faces, v.faces(i), own):
+            assert np.array_equal(face, theirs)
+            way = v.points[p.side_neighbors[s]] - v.points[i] + p.side_shifts[s] @ v.box
+            assert area_vector(face) @ way >= 0  # seen from outside
+            middle = (face - v.points[i] - way / 2) @ way / np.linalg.norm(way)
+            assert np.abs(middle).max() < 1e-9 * np.abs(v.box).sum()
+        corners = {int(c) for s in own for c in p.side_corners[p.corner_indptr[s]:p.corner_indptr[s + 1]]}
+        seen[list(corners)] += 1
+        assert len(corners) == len(v.regions[i])
+        if d == 2:
+            assert np.array_equal(p.polygon(i), v.polygon(i))
+    assert np.all(seen == 1)
+    if d == 3 and dt.npoints:
+        with pytest.raises(annulus.Error, match="polyhedra"):
+            p.polygon(0)
+
+
 def check(dt):
     """The arrays of a diagram agree with each other and with those of the triangulation."""
     v, d = dt.voronoi(), dt.ndim
@@ -87,6 +119,7 @@ def check(dt):
             assert len(corners) - edges + len(faces) == 2  # Euler
     if dt.nvertices:
         assert v.volumes[there].sum() == pytest.approx(abs(np.linalg.det(dt.box)), rel=1e-9)
+    check_polytopes(dt, v)
     assert f"<PeriodicVoronoi: {dt.nvertices} points, {len(v.ridge_points)} ridges in {d}D" in repr(v)
     return v
 

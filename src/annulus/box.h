@@ -88,6 +88,29 @@ struct Periodic_neighbours {
     std::vector<double> area;
 };
 
+/// A cell of a periodic mesh as the one that contains a point: corner k of cell c is then at
+/// points[vertices[c][k]] + (offsets[c][k] + shift) . box.
+template <int d>
+struct Periodic_location {
+    Index cell = -1;  ///< its number in Periodic_mesh::cells(); -1: none
+    Shift<d> shift{};
+};
+
+/// An image of a vertex: the one at points()[vertex] + shift . box.
+template <int d>
+struct Periodic_image {
+    Index vertex = -1;  ///< -1: none
+    Shift<d> shift{};
+};
+/// Images of vertices with weights, for several points: those of point k are image[i] and weight[i] for i from begin[k]
+/// to begin[k + 1] - 1.
+template <int d>
+struct Periodic_weights {
+    std::vector<std::size_t> begin{0};
+    std::vector<Periodic_image<d>> image;
+    std::vector<double> weight;
+};
+
 extern template class Box<2>;
 extern template class Box<3>;
 

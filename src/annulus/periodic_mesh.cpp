@@ -9,8 +9,9 @@
 #include <annulus/engine/periodic_state.h>
 #include <annulus/engine/require_vertices.h>
 #include <annulus/kernel/periodic_builder.h>
-#include <annulus/kernel/periodic_locate.h>
 #include <annulus/measure/periodic_diagram.h>
+#include <annulus/measure/periodic_queries.h>
+#include <annulus/measure/periodic_thetas.h>
 #include <annulus/measure/periodic_voronoi.h>
 
 #include <algorithm>
@@ -161,6 +162,13 @@ Move_result Periodic_mesh<d>::move(std::span<const Index> indices, std::span<con
     });
 }
 template <int d>
+Move_result Periodic_mesh<d>::recompute_tolerances() {
+    require_sound_environment();
+    Move_result result;
+    parts_->mover.recompute(parts_->state, result.statistics);
+    return result;
+}
+template <int d>
 Index Periodic_mesh<d>::insert(const Point& p) {
     return insert(std::span(&p, 1)).front();
 }
@@ -236,19 +244,21 @@ Periodic_location<d> Periodic_mesh<d>::find_cell(const Point& p) const {
 template <int d>
 std::vector<Periodic_location<d>> Periodic_mesh<d>::find_cells(std::span<const Point> points) const {
     require_sound_environment();
-    const Periodic_state<d>& state = parts_->state;
-    std::vector<Periodic_location<d>> found(points.size());
-    if (state.table.size() == 0) return found;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        if (std::any_of(points[k].begin(), points[k].end(), [](double c) { return std::isnan(c); })) continue;
-        const Representative<d> r = state.lattice.representative(points[k], static_cast<std::int64_t>(k));
-        const Lifted_cell<d> at = locate<d>(state.table, state.lattice, state.place, r.place);
-        const Shift<d> least = state.least_shift(at.cell, true);  // what cells() subtracts
-        const Shift<d> seen = state.lattice.in_box(at.shift);
-        found[k].cell = static_cast<Index>(at.cell);
-        for (std::size_t c = 0; c < d; ++c) found[k].shift[c] = least[c] - seen[c] + r.image[c];
-    }
-    return found;
+    return Periodic_queries<d>(parts_->state).cells(points);
+}
+template <int d>
+Periodic_image<d> Periodic_mesh<d>::nearest_vertex(const Point& p) const {
+    return nearest_vertices(std::span(&p, 1)).front();
+}
+template <int d>
+std::vector<Periodic_image<d>> Periodic_mesh<d>::nearest_vertices(std::span<const Point> points) const {
+    require_sound_environment();
+    return Periodic_queries<d>(parts_->state).nearest(points);
+}
+template <int d>
+Periodic_weights<d> Periodic_mesh<d>::natural_neighbours(std::span<const Point> points) const {
+    require_sound_environment();
+    return Periodic_queries<d>(parts_->state).natural_neighbours(points);
 }
 template <int d>
 Periodic_neighbours<d> Periodic_mesh<d>::neighbours() const {
@@ -281,6 +291,12 @@ template <int d>
 std::vector<double> Periodic_mesh<d>::tolerances() const {
     require_sound_environment();
     return parts_->mover.tolerances(parts_->state);
+}
+template <int d>
+std::vector<double> Periodic_mesh<d>::thetas() const {
+    require_sound_environment();
+    const Periodic_state<d>& state = parts_->state;
+    return periodic_thetas<d>(state.table, state.lattice, state.place);
 }
 template <int d>
 const Periodic_changes<d>& Periodic_mesh<d>::changes() const {

@@ -57,14 +57,6 @@ struct Saved_periodic_mesh {
     std::vector<Index> free_indices{};   ///< of no vertex, what is there is not read; the next one to be used last
 };
 
-/// A cell of a periodic mesh as the one that contains a point: corner k of cell c is then at
-/// points[vertices[c][k]] + (offsets[c][k] + shift) . box.
-template <int d>
-struct Periodic_location {
-    Index cell = -1;  ///< its number in Periodic_mesh::cells(); -1: none
-    Shift<d> shift{};
-};
-
 /// The Delaunay triangulation of points in a periodic box, which moves with them: of all their translates by the
 /// vectors of the box, as finitely many cells with offsets. Any number of points from none on, in any box (box.h):
 /// there is no least number, and no copies of the box in the result. It is exact, and proved after every build: the
@@ -121,6 +113,11 @@ class Periodic_mesh {
     /// environment.
     Move_result move(std::span<const Index> indices, std::span<const Point> points);
 
+    /// Evaluates every certificate, and keeps tolerances from now on, those of the present places, until they do not
+    /// pay (Periodic_strategy::automatic). With Periodic_strategy::signs, and without vertices, it does nothing. O(n).
+    /// Throws bad_alloc, without tolerances, and environment.
+    Move_result recompute_tolerances();
+
     /// Inserts a vertex, any image of it, and returns its index: the one that was freed last, or index_bound().
     /// Replaces cells near it, expected O(n^(1/3) + degree); with few points, or in a box that is thinner than cells
     /// are long, it builds (docs/periodic.md). Throws duplicate_point, naming the vertex that has, rounded, an image at
@@ -166,6 +163,20 @@ class Periodic_mesh {
     [[nodiscard]] Periodic_location<d> find_cell(const Point& p) const;
     /// The same for several points; errors name the point. Infinity is not_finite.
     [[nodiscard]] std::vector<Periodic_location<d>> find_cells(std::span<const Point> points) const;
+    /// The image of a vertex that is nearest to p, beside p, wherever p is; of several, any of them. Decided exactly,
+    /// for p as it would be rounded if it were inserted. None where there are no vertices, and for a coordinate that is
+    /// NaN. Costs what find_cell costs, and throws what it throws.
+    [[nodiscard]] Periodic_image<d> nearest_vertex(const Point& p) const;
+    /// The same for several points; errors name the point.
+    [[nodiscard]] std::vector<Periodic_image<d>> nearest_vertices(std::span<const Point> points) const;
+    /// The natural neighbours of some points, beside them, with Laplace's weights: the facet that the Voronoi cells of
+    /// p and of the image would have in common if p were inserted, over their distance, divided by the sum of these. So
+    /// they interpolate values at vertices. All images of p are inserted with it; where its cell has facets in common
+    /// with them, with few vertices, these do not count: weights add up to 1, and the weighted sum of the vectors to
+    /// the images is 0, both up to rounding. At a vertex its own weight is 1. No images for a coordinate that is NaN,
+    /// and where there are no vertices. Some ten microseconds for each point in 2D, two hundred in 3D. Throws what
+    /// find_cells throws.
+    [[nodiscard]] Periodic_weights<d> natural_neighbours(std::span<const Point> points) const;
     /// Every pair of Voronoi cells that the triangulation makes neighbours, with the measure of their common facet.
     /// O(n), a few microseconds a point.
     [[nodiscard]] Periodic_neighbours<d> neighbours() const;
@@ -193,6 +204,10 @@ class Periodic_mesh {
     /// microseconds a point. Insertions and removals end them, and with `auto` so do moves for which they do not pay;
     /// then the next move that allows it begins them again. Throws bad_alloc and environment.
     [[nodiscard]] std::vector<double> tolerances() const;
+
+    /// By point: the least theta (predicates.h) of the bi-cells of its images, in radians; NaN at free indices. It is
+    /// small where two neighbouring cells have nearly the same circumscribed circle or sphere. O(n).
+    [[nodiscard]] std::vector<double> thetas() const;
 
     /// With options().report_changes: what the last call that moves, inserts or removes changed; nothing before the
     /// first one. Points that are given as other images change nothing, nor does a box in another basis of its lattice:

@@ -167,14 +167,26 @@ void Periodic_mover<d>::finish(const Periodic_state<d>& state, bool kept_before,
         return;
     }
     try {
-        const Stage_counts counts = tolerances_.recompute({state.table, state.lattice, state.place}, spacing_of(state));
-        statistics.evaluated += counts.total();
-        statistics.arithmetic += counts;
-        statistics.cost += Cost_model<d>::recomputation * static_cast<double>(n);
-        ++statistics.tolerance_recomputations;
+        evaluate_all(state, statistics);
     } catch (const std::bad_alloc&) {  // the step has been made, and the next one tests all signs
         tolerances_.drop();
     }
+}
+
+template <int d>
+void Periodic_mover<d>::evaluate_all(const Periodic_state<d>& state, Move_statistics& statistics) {
+    const Stage_counts counts = tolerances_.recompute({state.table, state.lattice, state.place}, spacing_of(state));
+    statistics.evaluated += counts.total();
+    statistics.arithmetic += counts;
+    statistics.cost += Cost_model<d>::recomputation * static_cast<double>(state.vertices());
+    ++statistics.tolerance_recomputations;
+}
+
+template <int d>
+void Periodic_mover<d>::recompute(const Periodic_state<d>& state, Move_statistics& statistics) {
+    if (strategy_ == Periodic_strategy::signs || state.vertices() == 0) return;
+    evaluate_all(state, statistics);
+    policy_.note_recomputed();
 }
 
 template <int d>

@@ -32,6 +32,8 @@ class Periodic_mover {
     /// Whether it is expected to cost less to remove these vertices and insert them where they go (Periodic_editor)
     /// than to move all. O(their number). One is always reinserted, since many calls of one are expected.
     [[nodiscard]] bool is_for_editor(const Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) const;
+    /// Periodic_mesh::recompute_tolerances. Throws bad_alloc, without tolerances.
+    void recompute(const Periodic_state<d>& state, Move_statistics& statistics);
     /// To be called when the state has changed otherwise.
     void forget() noexcept { tolerances_.invalidate(); }
     /// By vertex; Periodic_mesh::tolerances. O(n). Throws bad_alloc.
@@ -45,6 +47,7 @@ class Periodic_mover {
     void consider(const Periodic_state<d>& before, const Periodic_state<d>& after, Move_statistics& statistics);
     void finish(const Periodic_state<d>& state, bool kept_before, const Periodic_repair_result& done,
                 Move_statistics& statistics);
+    void evaluate_all(const Periodic_state<d>& state, Move_statistics& statistics);
 
     Periodic_builder<d>& builder_;
     Periodic_strategy strategy_;

@@ -14,11 +14,10 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr double u = bounds::u;
 /// In a unit in which no value is above 2, underflow changes each term by less than this.
 constexpr double lost = 0x1p-1000;
 /// Errors above this many shortest edges are not good enough.
-constexpr double wanted = 0x1p-40;
+constexpr double good_enough = 0x1p-40;
 
 template <std::size_t n>
 double absolute_sum(const std::array<double, n>& x) {
@@ -93,7 +92,7 @@ template <int d>
     const long exponent = exactly.exponent + std::ilogb(scale);
     Circumcentre<d> out;
     for (std::size_t k = 0; k < d; ++k) out.offset[k] = quotient(t.numerator[k], twice, exponent);
-    out.error = 4 * u * absolute_sum(out.offset) + lost;
+    out.error = 4 * bounds::u * absolute_sum(out.offset) + lost;
     return out;
 }
 
@@ -111,6 +110,7 @@ template <int d>
 // and the division has another u.
 template <int d>
 Circumcentre<d> circumcentre(const Corners<d>& x, double scale) {
+    constexpr double u = bounds::u;
     constexpr double of_numerator = (d == 2 ? bounds::circumcentre_2_numerator : bounds::circumcentre_3_numerator) * u;
     constexpr double of_denominator =
         (d == 2 ? bounds::circumcentre_2_denominator : bounds::circumcentre_3_denominator) * u;
@@ -135,7 +135,7 @@ Circumcentre<d> circumcentre(const Corners<d>& x, double scale) {
         for (std::size_t k = 0; k < d; ++k) out.offset[k] = t.numerator[k] / (2 * t.denominator);
         const double length = absolute_sum(out.offset);
         out.error = (1 + 0x1p-40) * ((error_of_numerator + 2 * length * error_of_denominator) / least + 2 * u * length);
-        if (out.error <= wanted * shortest) return out;
+        if (out.error <= good_enough * shortest) return out;
     }
     return exact_circumcentre<d>(x, scale);
 }

@@ -9,9 +9,7 @@
 
 namespace annulus::inline v1 {
 
-namespace {
-
-/// Whether a is nearer to q than b is: |q - b|^2 - |q - a|^2 = (a - b) . ((q - a) + (q - b)) is positive. Each factor
+/// |q - b|^2 - |q - a|^2 = (a - b) . ((q - a) + (q - b)) is positive. Each factor
 /// of a term has three roundings at most, of numbers that are below the sum of magnitudes which stands in the bound.
 template <int d>
 bool is_nearer(const Coordinates<d>& q, const Coordinates<d>& a, const Coordinates<d>& b) {
@@ -43,8 +41,6 @@ bool is_nearer(const Coordinates<d>& q, const Coordinates<d>& a, const Coordinat
     return sgn(total) > 0;
 }
 
-}  // namespace
-
 template <int d>
 void nearest_vertices(std::span<const Coordinates<d>> points, const Vertex_neighbours& neighbours, Index first,
                       std::span<const Coordinates<d>> queries, std::span<Index> found) {
@@ -65,6 +61,8 @@ void nearest_vertices(std::span<const Coordinates<d>> points, const Vertex_neigh
     }
 }
 
+template bool is_nearer<2>(const Coordinates<2>&, const Coordinates<2>&, const Coordinates<2>&);
+template bool is_nearer<3>(const Coordinates<3>&, const Coordinates<3>&, const Coordinates<3>&);
 template void nearest_vertices<2>(std::span<const Coordinates<2>>, const Vertex_neighbours&, Index,
                                   std::span<const Coordinates<2>>, std::span<Index>);
 template void nearest_vertices<3>(std::span<const Coordinates<3>>, const Vertex_neighbours&, Index,
