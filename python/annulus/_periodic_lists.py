@@ -182,4 +182,5 @@ def _is_first_of_pair(i: Indices, j: Indices, shifts: Indices) -> NDArray[np.boo
     """Which of (i, j, S) and (j, i, -S) is listed; both of one point: the greater shift."""
     rows = np.arange(len(shifts))
     first = shifts[rows, (shifts != 0).argmax(axis=1)]  # the first one that is not 0
-    return (i < j) | (i == j) & (first > 0)
+    once: NDArray[np.bool_] = (i < j) | (i == j) & (first > 0)
+    return once

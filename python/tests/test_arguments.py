@@ -74,7 +74,7 @@ RIGHT = {
 # What these are made of is not looked at: results, and exceptions.
 PLAIN = {"Analysis", "AnalysisStream", "AuditResult", "BatchError", "Error", "Fault", "FrameResult", "LloydResult",
          "MoveResult", "MoveStatistics", "NodtResult", "NotAvailableError", "OpenBoundariesWarning", "TableWarning",
-         "PeriodicVoronoi", "Voronoi", "VoronoiPolytopes"}
+         "PeriodicPolytopes", "PeriodicVoronoi", "Voronoi", "VoronoiPolytopes"}
 if importlib.util.find_spec("matplotlib"):
     RIGHT["plot"] = (lambda **named: annulus.MovingDelaunay(X[:5]).plot(**named), {"color_by": "neighbors"})
 else:

@@ -48,10 +48,12 @@ void expect_nearest(const typename Box<d>::Vectors& vectors, std::size_t n, Peri
         const Lifted_corner<d> corner =
             nearest_corner<d>(table, lattice, place, p, {seen.cell, Offset<d>{} - seen.shift});
         const Image<d> found = table.image(corner.at.cell, corner.slot, corner.at.shift);
-        const auto at = [&](Image<d> s) {
-            return lattice.place(place[static_cast<std::size_t>(s.vertex)], s.label);
-        };
-        CHECK_FALSE(is_nearer<d>(p, at(nearest_of_all<d>(lattice, place, p)), at(found)));
+        const auto at = [&](Image<d> s) { return lattice.place(place[static_cast<std::size_t>(s.vertex)], s.label); };
+        const Image<d> of_all = nearest_of_all<d>(lattice, place, p);
+        CHECK_FALSE(is_nearer<d>(p, at(of_all), at(found)));
+        CHECK_FALSE(is_nearer<d>(p, at(found), at(of_all)));
+        const Lifted_corner<d> same = corner_at<d>(table, of_all);
+        CHECK(table.image(same.at.cell, same.slot, same.at.shift) == of_all);
         bool any = false;
         Shift<d> o;
         o.fill(-4);

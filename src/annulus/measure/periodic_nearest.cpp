@@ -87,13 +87,16 @@ template <int d>
 Lifted_corner<d> nearest_corner(const Periodic_table<d>& table, const Lattice<d>& lattice,
                                 std::span<const Coordinates<d>> place, const Coordinates<d>& p, Lifted_cell<d> start) {
     const auto found = Nearest_walk<d>(table, lattice, place, p).from(start);
-    if (found) return *found;
-    const Image<d> nearest = nearest_of_all<d>(lattice, place, p);
-    Lifted_corner<d> at{{0, {}}, 0};
-    while (table.vertex[at.at.cell][at.slot] != nearest.vertex)
-        if (++at.slot > d) at = {{at.at.cell + 1, {}}, 0};
-    at.at.shift = nearest.label - table.offset[at.at.cell][at.slot];
-    return at;
+    return found ? *found : corner_at<d>(table, nearest_of_all<d>(lattice, place, p));
+}
+
+template <int d>
+Lifted_corner<d> corner_at(const Periodic_table<d>& table, Image<d> image) {
+    Lifted_corner<d> found{{0, {}}, 0};
+    while (table.vertex[found.at.cell][found.slot] != image.vertex)
+        if (++found.slot > d) found = {{found.at.cell + 1, {}}, 0};
+    found.at.shift = image.label - table.offset[found.at.cell][found.slot];
+    return found;
 }
 
 /// Of one vertex the nearest image is in the Voronoi cell of the lattice around p, so that its coordinates in the basis
@@ -128,6 +131,8 @@ template Lifted_corner<2> nearest_corner(const Periodic_table<2>&, const Lattice
                                          const Coordinates<2>&, Lifted_cell<2>);
 template Lifted_corner<3> nearest_corner(const Periodic_table<3>&, const Lattice<3>&, std::span<const Coordinates<3>>,
                                          const Coordinates<3>&, Lifted_cell<3>);
+template Lifted_corner<2> corner_at(const Periodic_table<2>&, Image<2>);
+template Lifted_corner<3> corner_at(const Periodic_table<3>&, Image<3>);
 template Image<2> nearest_of_all(const Lattice<2>&, std::span<const Coordinates<2>>, const Coordinates<2>&);
 template Image<3> nearest_of_all(const Lattice<3>&, std::span<const Coordinates<3>>, const Coordinates<3>&);
 
