@@ -22,7 +22,6 @@ class NoArray:
             holder = np.empty((), dtype=object)
             holder[()] = self
             return holder
-        name = type(self).__name__
-        interpolate = ", dt.interpolate(values, x) interpolates between them" if hasattr(self, "interpolate") else ""
-        raise TypeError(f"{name} is neither an array nor a scipy.spatial.Delaunay: dt.points are the positions of its "
-                        f"vertices, dt.simplices its simplices{interpolate}")
+        raise TypeError(f"{type(self).__name__} is neither an array nor a scipy.spatial.Delaunay: dt.points are the "
+                        "positions of its vertices, dt.simplices its simplices, dt.interpolate(values, x) interpolates "
+                        "between them")

@@ -310,8 +310,7 @@ def test_a_triangulation_is_no_array(box):
                   lambda: np.array([dt, dt]), lambda: np.asarray(dt, dtype=float), lambda: annulus.MovingDelaunay(dt)):
         with pytest.raises(TypeError, match=r"neither an array nor a scipy\.spatial\.Delaunay: dt\.points"):
             wrong()
-    with pytest.raises(TypeError) as e:
+    with pytest.raises(TypeError, match=r"dt\.interpolate\(values, x\) interpolates"):
         np.asarray(dt)
-    assert ("dt.interpolate" in str(e.value)) == (box is None)
     several = np.array([dt, dt], dtype=object)
     assert several.shape == (2,) and several[0] is dt and np.array(dt, dtype=object)[()] is dt

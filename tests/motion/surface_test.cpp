@@ -109,7 +109,7 @@ TEST_CASE("nearest points are the same whatever was kept of earlier questions", 
             near = got;
             if (distance(p, got) > 0.1 * size && log_stride < 3) p = got;
         }
-        if (log_stride == -4.0) CHECK(same_ball > 900);
+        if (log_stride == -4.0) CHECK(same_ball > 360);
         CHECK(nearby.parts.size() <= 48);
     }
 }
