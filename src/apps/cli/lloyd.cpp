@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/box_size.h>
 #include <apps/cli/boxed_lloyd.h>
+#include <apps/cli/boxed_scene.h>
 #include <apps/cli/commands.h>
 #include <apps/cli/end_of_run.h>
 #include <apps/cli/files.h>
