@@ -9,7 +9,6 @@ find_package(rapidcheck REQUIRED)
 # Optimised a little: compiling takes longer than running, and most of the running time is in the library.
 add_library(annulus-test-options INTERFACE)
 target_compile_options(annulus-test-options INTERFACE $<$<CONFIG:Release>:-O1>
-    "$<$<CXX_COMPILER_ID:GNU>:-fno-ipa-modref;-fno-ipa-pure-const;-fno-tree-pta>"
     "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 if(ANNULUS_UNITY)  # see annulus_unite; the more g++ 12 inlines, the more such warnings it has
     target_compile_options(annulus-test-options INTERFACE
