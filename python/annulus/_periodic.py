@@ -70,7 +70,12 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
     vertex are NaN there. The next insertion takes the index that was freed last.
 
     Arrays are computed on each access, and belong to the caller. Threads and processes: as with `MovingDelaunay`. What
-    is pickled or copied is the same afterwards, bit for bit, wherever its points are; also attributes of your own.
+    is pickled or copied has the same points, box and neighbours afterwards, bit for bit, wherever its points are; also
+    attributes of your own. It is built again: simplices may have other numbers, and tolerances are not kept.
+
+    Where the box is skewed and its vectors are not on their grid, a point outside of it may be given by `points` one
+    unit of the grid beside its place. Positions that are taken from there, for `interpolate` or `insert`, are not
+    exactly at the vertex then; those that you gave are.
 
     Examples
     --------
@@ -128,7 +133,8 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
         Raises
         ------
         Error
-            With the codes of the constructor, ``unknown_vertex`` and ``wrong_size``; nothing has changed then.
+            With the codes of the constructor, ``unknown_vertex`` and ``wrong_size``; nothing has changed then,
+            but `tolerances` may be computed again.
 
         Notes
         -----
@@ -188,8 +194,8 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
     def recompute_tolerances(self) -> _core.MoveResult:
         """Evaluates every certificate, and keeps `tolerances` from now on: those of the present points, of which
         nothing is used up. With ``strategy='signs'`` it does nothing. O(n), in 3D a few microseconds a point. What is
-        kept may be an eighth less than what `tolerances` has while none are, since it has to hold in boxes that are a
-        little longer, too.
+        kept is an eighth less, or half where cells are thin, than what `tolerances` has while none are, since it has
+        to hold in boxes that are a little longer, too.
 
         Returns
         -------

@@ -85,7 +85,7 @@ class PeriodicLists:
         quantities : str, optional
             What to return, as for `ase.neighborlist.neighbor_list`: ``i`` and ``j``, the points; ``d``, the distance;
             ``D``, the vector ``points[j] - points[i] + S @ box``; ``S``, the shift; and ``A``, the length (2D) or area
-            (3D) of the facet: 0 where it is exactly empty, and only there.
+            (3D) of the facet, with a relative error of 2.4e-10 at most: 0 where it is exactly empty, and only there.
         clip : None, optional
             Every facet is bounded: anything else raises a `NotAvailableError`.
 
@@ -132,10 +132,7 @@ class PeriodicLists:
     @property
     def vertex_to_simplex(self) -> Indices:
         """ndarray of int32, shape (npoints,): a simplex of each vertex; -1 at free indices."""
-        simplices = self._mesh.simplices
-        of = np.full(self._mesh.index_bound, -1, dtype=np.int32)
-        of[simplices] = np.arange(len(simplices), dtype=np.int32)[:, None]
-        return of
+        return self._mesh.vertex_to_simplex
 
     @property
     def flat_simplices(self) -> Indices:
@@ -147,8 +144,7 @@ class PeriodicLists:
         """Two ndarrays of int32, (indptr, indices): the neighbours of vertex v are
         ``indices[indptr[v]:indptr[v + 1]]``, ascending. A vertex is there once for each of its images that is a
         neighbour, also v itself; `vertex_neighbor_shifts` says which images they are."""
-        i, j = self._pairs()[:2]
-        return np.searchsorted(i, np.arange(self._mesh.index_bound + 1)).astype(np.int32), j
+        return self._mesh.vertex_neighbours()
 
     @property
     def vertex_neighbor_shifts(self) -> Indices:

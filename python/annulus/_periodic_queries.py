@@ -98,7 +98,8 @@ class PeriodicQueries:
         divided by the sum of these. With few points a position is also beside images of its own. These facets do not
         count: as they come in opposite pairs, the weighted mean of the vectors to the neighbours is 0 without them,
         too, so that functions which are linear nearby are reproduced. At a point it is its own value. The interpolant
-        is continuous. Some ten microseconds for each position in 2D, two hundred in 3D, twice that with few points.
+        is continuous. Some ten microseconds for each position in 2D, two hundred in 3D; with few points or in thin
+        boxes a hundred and some thousands.
         """
         if out is None and dtype is None:
             return self._mesh.interpolate(values, plain(xi, "xi"))

@@ -18,6 +18,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <span>
 #include <string>
 #include <tuple>
@@ -100,6 +101,28 @@ class Periodic {
         Periodic_neighbours<d> n = locked([&] { return mesh_.neighbours(); });
         return py::make_tuple(give(std::move(n.first)), give(std::move(n.second)), give(std::move(n.distance)),
                               give_rows(std::move(n.vector)), give_rows(std::move(n.shift)), give(std::move(n.area)));
+    }
+    /// The neighbours of each vertex, of one state: where they begin, and which they are.
+    py::tuple vertex_neighbours() const {
+        std::vector<Index> begin;
+        Periodic_neighbours<d> n = locked([&] {
+            begin.resize(mesh_.index_bound() + 1);
+            return mesh_.neighbours();
+        });
+        for (const Index v : n.first) ++begin[static_cast<std::size_t>(v) + 1];
+        std::partial_sum(begin.begin(), begin.end(), begin.begin());
+        return py::make_tuple(give(std::move(begin)), give(std::move(n.second)));
+    }
+    /// A cell of each vertex, or -1.
+    py::array vertex_to_simplex() const {
+        std::vector<Index> cell;
+        const auto vertices = locked([&] {
+            cell.assign(mesh_.index_bound(), -1);
+            return mesh_.cells().vertices;
+        });
+        for (std::size_t c = 0; c < vertices.size(); ++c)
+            for (const Index v : vertices[c]) cell[static_cast<std::size_t>(v)] = static_cast<Index>(c);
+        return give(std::move(cell));
     }
     /// The cells that contain points, and their shifts.
     py::tuple find_simplex(const py::object& points) const {
@@ -259,6 +282,8 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def("insert", &P::insert)
         .def("remove", &P::remove)
         .def("neighbours", &P::neighbours)
+        .def("vertex_neighbours", &P::vertex_neighbours)
+        .def_property_readonly("vertex_to_simplex", &P::vertex_to_simplex)
         .def("find_simplex", &P::find_simplex)
         .def("nearest_vertex", &P::nearest_vertex)
         .def("interpolate", &P::interpolate)

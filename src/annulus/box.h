@@ -83,8 +83,9 @@ struct Periodic_neighbours {
     std::vector<Shift<d>> shift;
     std::vector<Coordinates<d>> vector;  ///< exact
     std::vector<double> distance;        ///< its length, rounded
-    /// The length (2D) or area (3D) of the common facet of the Voronoi cells. 0 where that is exactly empty, or a
-    /// point, or in 3D an edge, and only there: as in a cubic crystal, whose cells touch in points and edges, too.
+    /// The length (2D) or area (3D) of the common facet of the Voronoi cells, with a relative error of
+    /// voronoi_diagram_error (voronoi.h). 0 where that is exactly empty, or a point, or in 3D an edge, and only there:
+    /// as in a cubic crystal, whose cells touch in points and edges, too.
     std::vector<double> area;
 };
 

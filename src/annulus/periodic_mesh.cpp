@@ -147,8 +147,8 @@ Move_result Periodic_mesh<d>::move(std::span<const Index> indices, std::span<con
                 static_cast<std::size_t>(std::count_if(moves.begin(), moves.end(), [&](const Vertex_move<d>& m) {
                     return state.representative(m.vertex).place == m.to.place;
                 }));
-            if (staying < moves.size()) parts_->mover.forget();
             if (parts_->editor.move(state, moves)) {
+                if (staying < moves.size()) parts_->mover.forget();
                 Move_result result;
                 result.moves.asked = moves.size();
                 result.moves.kept_in_place = staying;

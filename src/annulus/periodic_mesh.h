@@ -174,8 +174,8 @@ class Periodic_mesh {
     /// they interpolate values at vertices. All images of p are inserted with it; where its cell has facets in common
     /// with them, with few vertices, these do not count: weights add up to 1, and the weighted sum of the vectors to
     /// the images is 0, both up to rounding. At a vertex its own weight is 1. No images for a coordinate that is NaN,
-    /// and where there are no vertices. Some ten microseconds for each point in 2D, two hundred in 3D. Throws what
-    /// find_cells throws.
+    /// and where there are no vertices. Some ten microseconds for each point in 2D, two hundred in 3D, more in thin
+    /// boxes. Throws what find_cells throws.
     [[nodiscard]] Periodic_weights<d> natural_neighbours(std::span<const Point> points) const;
     /// Every pair of Voronoi cells that the triangulation makes neighbours, with the measure of their common facet.
     /// O(n), a few microseconds a point.

@@ -178,9 +178,28 @@ void expect_changes(const Periodic_mesh<d>& mesh, const Seen<d>& seen, int sign,
     CHECK(set_of<d>(mesh.changes().broken) == broken);
 }
 
+/// The vector of the lattice, in these, that is nearest to where `f` vectors lead.
+template <int d>
+Shift<d> nearest(const typename Box<d>::Vectors& vectors, const Coordinates<d>& f) {
+    constexpr std::int32_t most = d == 2 ? 12 : 5;
+    Shift<d> best{}, s;
+    double least = -1;
+    s.fill(-most);
+    for (std::size_t i = 0; i < d;) {
+        Coordinates<d> way{};
+        for (std::size_t j = 0; j < d; ++j)
+            for (std::size_t k = 0; k < d; ++k) way[k] += (f[j] - s[j]) * vectors[j][k];
+        double squared = 0;
+        for (const double c : way) squared += c * c;
+        if (least < 0 || squared < least) least = squared, best = s;
+        for (i = 0; i < d && ++s[i] > most; ++i) s[i] = -most;
+    }
+    return best;
+}
+
 /// Steps of a box that is deformed, and at every third step given in another basis, with points given as any images.
 template <int d>
-void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
+void expect_right_changes(int kind, std::size_t n, std::uint64_t seed, double far = 0.2) {
     CAPTURE(d, kind, n, seed);
     Periodic_cases cases(seed);
     auto vectors = cases.box<d>(kind).vectors();
@@ -201,7 +220,7 @@ void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
         CAPTURE(step);
         const Seen<d> before = seen(mesh);
         const int sign = step % 3 != 2 ? 0 : step % 2 == 0 ? 1 : -1;
-        const double reach = step == 0 ? 0 : step % 4 == 3 ? 0.2 : 0.01;
+        const double reach = step == 0 ? 0 : step % 4 == 3 ? far : 0.01;
         for (auto& v : vectors)
             for (double& c : v)
                 if (step > 0) c *= 1 + cases.uniform(-0.02, 0.02);
@@ -209,9 +228,13 @@ void expect_right_changes(int kind, std::size_t n, std::uint64_t seed) {
         std::vector<Shift<d>> turns(n);
         for (std::size_t v = 0; v < n; ++v) {
             f[v][0] += sign * f[v][1];
+            Coordinates<d> way;
+            for (double& c : way) c = cases.uniform(-reach, reach);
+            const Shift<d> near = nearest<d>(vectors, way);
             for (std::size_t i = 0; i < d; ++i) {
-                turns[v][i] = static_cast<std::int32_t>(cases.below(5)) - 2;
-                f[v][i] += turns[v][i] + cases.uniform(-reach, reach);
+                const std::int32_t turn = static_cast<std::int32_t>(cases.below(5)) - 2;
+                f[v][i] += turn + way[i];
+                turns[v][i] = turn + near[i];
             }
         }
         put();
@@ -245,6 +268,19 @@ TEST_CASE("The pairs and cells that a call changes in a box, whatever images and
                 expect_right_changes<2>(kind, n, static_cast<std::uint64_t>(k));
                 expect_right_changes<3>(kind, n, static_cast<std::uint64_t>(k));
             }
+}
+
+TEST_CASE("A pair stays where a point moves to the nearest image, however skewed the vectors of the box are",
+          "[periodic]") {
+    const std::vector<Coordinates<2>> x{{.1, .1}, {.6, .45}, {.3, .75}};
+    Periodic_mesh<2> mesh(x, Box<2>({{{1, 0}, {8, 1}}}), {.report_changes = true});
+    mesh.move(0, {.1, .17});  // 0.07 of one vector, and 0.56 of the other
+    CHECK((mesh.changes().made.first.empty() && mesh.changes().broken.first.empty()));
+    CHECK((mesh.changes().changed.vertices.empty() && mesh.changes().gone.vertices.empty()));
+    for (const int kind : {5, 8, 9})
+        for (int k = 0; k < repeats(3); ++k) expect_right_changes<2>(kind, 4, 100 + static_cast<std::uint64_t>(k), 0.3);
+    for (const int kind : {5, 8})
+        for (int k = 0; k < repeats(3); ++k) expect_right_changes<3>(kind, 4, 100 + static_cast<std::uint64_t>(k), 0.3);
 }
 
 TEST_CASE("A box of another lattice breaks every pair and cell, and makes every one", "[periodic]") {

@@ -11,7 +11,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 using namespace annulus;
@@ -134,6 +136,32 @@ TEST_CASE("Volumes and areas agree, and scale with the box", "[measure][periodic
                 sum[static_cast<std::size_t>(list.first[k])] += list.area[k] * list.distance[k] / 6;
             for (std::size_t v = 0; v < x.size(); ++v) CHECK(sum[v] == Approx(volumes[v]).epsilon(1e-9));
         }
+    }
+}
+
+TEST_CASE("Areas of neighbours are those of the Voronoi diagram, however small", "[measure][periodic]") {
+    Periodic_cases cases(9);
+    for (const double noise : {1e-14, 1e-12, 1e-9}) {
+        CAPTURE(noise);
+        auto x = crystal<3>(sc, 3, 1);
+        for (auto& p : x)
+            for (double& c : p) c += cases.uniform(-noise, noise);
+        const Periodic_mesh<3> mesh(x, cube<3>(3));
+        const auto diagram = mesh.voronoi();
+        std::map<std::tuple<Index, Index, Shift<3>>, double> measures;
+        for (std::size_t k = 0; k < diagram.pair.size(); ++k)
+            measures[{diagram.pair[k][0], diagram.pair[k][1], diagram.shift[k]}] = diagram.measure[k];
+        const auto list = mesh.neighbours();
+        std::size_t found = 0, small = 0;
+        for (std::size_t k = 0; k < list.first.size(); ++k) {
+            const auto it = measures.find({list.first[k], list.second[k], list.shift[k]});
+            if (it == measures.end()) continue;  // listed the other way round
+            ++found;
+            small += it->second > 0 && it->second < 0.1 ? 1 : 0;
+            CHECK(std::fabs(list.area[k] - it->second) <= 2 * voronoi_diagram_error * it->second);
+        }
+        CHECK(found == diagram.pair.size());
+        CHECK(small > 20);
     }
 }
 

@@ -111,6 +111,14 @@ class Taken(boxed.BoxedTest):
         self.assertIn("absent.xyz", self.refuse(3, "replay", "absent.xyz", "--strategy", "signs"))
         self.succeed("replay", "open.csv", "--box", "1,1", "--strategy", "signs")
 
+    def test_a_short_way_in_a_skewed_box_changes_nothing(self):
+        """0.07 of one vector, and 0.56 of the other."""
+        motion = [{1: [0.1, y], 2: [0.6, 0.45], 3: [0.3, 0.75]} for y in (0.1, 0.17)]
+        self.lattice_xyz("a.xyz", motion, [[[1, 0], [8, 1]]] * 2)
+        self.succeed("replay", "a.xyz", "--changes", "--every", 1, "--audit", 1, "--output", "out")
+        self.assertEqual(self.shifted_changes(), {})
+        self.assertLess(float(self.table("out", "iterations.csv")[-1]["displacement_max"]), 0.15)  # in mean spacings
+
     def test_a_box_for_points_that_are_absent_for_a_frame(self):
         """Of a table, with frames without points, first and between."""
         self.write("a.csv", "frame,id,x,y\n0,1,0.5,0.5\n0,2,0.75,0.5\n2,1,3.5,-0.5\n2,2,0.75,0.625\n3,1,0.5,0.5\n")

@@ -2,6 +2,7 @@
 #include <annulus/engine/periodic_changes.h>
 
 #include <annulus/space/basis_relation.h>
+#include <annulus/space/nearest_shift.h>
 
 #include <algorithm>
 #include <array>
@@ -32,15 +33,6 @@ std::array<T, static_cast<std::size_t>(d)> product(const std::array<T, static_ca
     return out;
 }
 
-/// Coordinates in these vectors, by Cramer's rule.
-template <int d>
-Coordinates<d> in_vectors(const typename Box<d>::Vectors& vectors, const Coordinates<d>& p) {
-    const double whole = determinant_of_rows(vectors);
-    Coordinates<d> f;
-    for (std::size_t k = 0; k < d; ++k) f[k] = determinant_of_rows(with_row(vectors, k, p)) / whole;
-    return f;
-}
-
 /// How shifts between given points before a change are written after it.
 template <int d>
 class Renaming {
@@ -58,9 +50,11 @@ class Renaming {
             const Coordinates<d> from = product<d>(in_vectors<d>(before.lattice.box(), before.place[v]), to_new_);
             const Coordinates<d> to = in_vectors<d>(after.lattice.box(), after.place[v]);
             const Shift<d> old_image = product<d>(before.image[v], to_new_);
+            Coordinates<d> way{};
             for (std::size_t i = 0; i < d; ++i)
-                turns_[v][i] =
-                    static_cast<std::int32_t>(std::nearbyint(to[i] - from[i])) + after.image[v][i] - old_image[i];
+                for (std::size_t k = 0; k < d; ++k) way[k] += (to[i] - from[i]) * after.lattice.box()[i][k];
+            turns_[v] = nearest_shift<d>(after.lattice, way);
+            for (std::size_t i = 0; i < d; ++i) turns_[v][i] += after.image[v][i] - old_image[i];
         }
     }
     [[nodiscard]] bool is_related() const { return is_related_; }

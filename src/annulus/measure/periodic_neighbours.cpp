@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <annulus/measure/periodic_places.h>
+#include <annulus/measure/periodic_facets.h>
 #include <annulus/measure/periodic_rings.h>
 #include <annulus/measure/periodic_voronoi.h>
 
@@ -31,7 +31,7 @@ class Edges {
   public:
     Edges(const Periodic_table<d>& table, const Lattice<d>& lattice, std::span<const Coordinates<d>> place,
           std::span<const Shift<d>> image)
-        : table_(table), lattice_(lattice), image_(image), places_(table, lattice, place) {}
+        : table_(table), lattice_(lattice), image_(image), facets_(table, lattice, place) {}
 
     /// Each edge in both directions.
     std::vector<Edge<d>> operator()() {
@@ -41,46 +41,18 @@ class Edges {
 
   private:
     void add(const Periodic_ring<d>& ring) {
-        const Coordinates<d> here = places_.at(ring.from);
-        Coordinates<d> vector = places_.at(ring.to);
-        for (std::size_t i = 0; i < d; ++i) vector[i] -= here[i];
-        const double area = ring.empty ? 0 : positive(area_of(ring, here, vector));
+        const Periodic_facet<d> facet = facets_.facet_of(ring);
+        const double area = ring.empty ? 0 : in_callers_unit(facet);
         const Shift<d> shift = lattice_.in_box(ring.to.label);
-        add(ring.from.vertex, ring.to.vertex, shift, vector, area, 1);
-        add(ring.to.vertex, ring.from.vertex, shift, vector, area, -1);
+        add(ring.from.vertex, ring.to.vertex, shift, facet.vector, area, 1);
+        add(ring.to.vertex, ring.from.vertex, shift, facet.vector, area, -1);
     }
-
-    /// Of the polygon of the circumcentres around the edge `vector` from `here`.
-    double area_of(const Periodic_ring<d>& ring, const Coordinates<d>& here, const Coordinates<d>& vector) const {
-        const auto centre = [&](std::size_t k) {
-            return places_.centre(ring.cells[k].number, ring.cells[k].shift, here);
-        };
-        const Coordinates<d> first = centre(0);
-        Coordinates<d> last = centre(1);
-        if constexpr (d == 2) {
-            // The facet is perpendicular to the edge: along it a long box would leave its rounding only.
-            const double cross = (last[0] - first[0]) * vector[1] - (last[1] - first[1]) * vector[0];
-            return std::fabs(cross) / std::hypot(vector[0], vector[1]);
-        } else {
-            Coordinates<d> doubled{};
-            for (std::size_t c = 2; c < ring.cells.size(); ++c) {
-                const Coordinates<d> next = centre(c);
-                for (std::size_t i = 0; i < d; ++i) {
-                    const std::size_t j = (i + 1) % d, k = (i + 2) % d;
-                    doubled[i] +=
-                        (last[j] - first[j]) * (next[k] - first[k]) - (last[k] - first[k]) * (next[j] - first[j]);
-                }
-                last = next;
-            }
-            double sum = 0;
-            for (std::size_t i = 0; i < d; ++i) sum += doubled[i] * vector[i];
-            return std::fabs(sum) / (2 * length<d>(vector));
-        }
-    }
-
-    /// In the caller's unit. The facet is not empty, whatever its computed area.
-    [[nodiscard]] double positive(double area) const {
-        return std::max(std::ldexp(area, (d - 1) * places_.exponent()), std::numeric_limits<double>::min());
+    /// The measure of a facet that is not empty, whatever can be represented.
+    [[nodiscard]] static double in_callers_unit(const Periodic_facet<d>& facet) {
+        const long double unit = std::ldexp(1.0L, facet.exponent);
+        const long double measure = d == 2 ? facet.measure * unit : facet.measure * unit * unit;
+        using Range = std::numeric_limits<double>;
+        return static_cast<double>(std::clamp<long double>(measure, Range::min(), Range::max()));
     }
     /// The shift between representatives as one between the images that the caller gave.
     void add(Index i, Index j, const Shift<d>& shift, const Coordinates<d>& vector, double area, int direction) {
@@ -95,7 +67,7 @@ class Edges {
     const Periodic_table<d>& table_;
     const Lattice<d>& lattice_;
     std::span<const Shift<d>> image_;
-    Periodic_places<d> places_;
+    Periodic_facets<d> facets_;
     std::vector<Edge<d>> edges_;
 };
 

@@ -37,12 +37,6 @@ class Periodic_places {
     [[nodiscard]] int exponent() const { return exponent_; }
     [[nodiscard]] double scale() const { return std::ldexp(1.0, -exponent_); }
     [[nodiscard]] std::span<const Circumcentre<d>> centres() const { return centre_; }
-    /// The circumcentre of a cell, whose offsets are moved by `shift`, relative to a place.
-    [[nodiscard]] Coordinates<d> centre(std::size_t c, Offset<d> shift, const Coordinates<d>& from) const {
-        Coordinates<d> x = at(table_.image(c, 0, shift));
-        for (std::size_t i = 0; i < d; ++i) x[i] = (x[i] - from[i]) * scale() + centre_[c].offset[i];
-        return x;
-    }
 
   private:
     const Periodic_table<d>& table_;

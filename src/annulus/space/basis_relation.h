@@ -22,6 +22,16 @@ template <class Rows, class Row>
     return m;
 }
 
+/// Coordinates in these vectors, by Cramer's rule.
+template <int d>
+[[nodiscard]] Coordinates<d> in_vectors(const std::array<Coordinates<d>, static_cast<std::size_t>(d)>& vectors,
+                                        const Coordinates<d>& p) {
+    const double whole = determinant_of_rows(vectors);
+    Coordinates<d> f;
+    for (std::size_t k = 0; k < d; ++k) f[k] = determinant_of_rows(with_row(vectors, k, p)) / whole;
+    return f;
+}
+
 /// The inverse of a matrix of determinant 1 or -1.
 template <int d>
 [[nodiscard]] Integer_matrix<d> unimodular_inverse(const Integer_matrix<d>& m, std::int64_t determinant) {

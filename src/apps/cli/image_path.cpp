@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <apps/cli/image_path.h>
 
+#include <annulus/space/lattice.h>
+#include <annulus/space/nearest_shift.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -77,6 +80,7 @@ typename Image_path<d>::Matrix change_of_basis(const typename Box<d>::Vectors& b
 template <int d>
 void Image_path<d>::follow(std::span<const std::uint64_t> id, std::span<const Coordinates<d>> x, const Box<d>& box) {
     const auto inverse = inverse_of<d>(box.vectors());
+    const Lattice<d> lattice(box.vectors());
     basis_ = change_of_basis<d>(id_.empty() ? box.vectors() : vectors_, inverse);
     vectors_ = box.vectors();
     std::vector<Coordinates<d>> share(x.size());
@@ -96,6 +100,12 @@ void Image_path<d>::follow(std::span<const std::uint64_t> id, std::span<const Co
             const double ahead = share[i][k] - expected, whole = std::nearbyint(ahead);
             turns[i][k] = std::llrint(whole);
             way[k] = ahead - whole;
+        }
+        // The nearest image: in a box that is skewed not that of each coordinate by itself.
+        const Shift<d> nearer = nearest_shift<d>(lattice, times<d>(way, vectors_));
+        for (std::size_t k = 0; k < d; ++k) {
+            turns[i][k] += nearer[k];
+            way[k] -= nearer[k];
         }
         double length = 0;
         for (const double c : times<d>(way, vectors_)) length = std::hypot(length, c);
