@@ -254,7 +254,7 @@ void expect_right_walks(int walks, std::initializer_list<std::size_t> sizes, int
             met.several_reinserted);
     CHECK(met.kept > 0);
     CHECK(met.reinserted > 0);
-    CHECK(met.several_reinserted > 0);
+    if (walks > 1) CHECK(met.several_reinserted > 0);  // not in the few calls of ANNULUS_TEST_MULTIPLIER=0.1
     CHECK(met.flipped_with_free > 0);
     CHECK(met.rebuilt > 0);
     CHECK(met.thrown > 0);
