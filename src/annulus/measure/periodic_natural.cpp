@@ -3,6 +3,7 @@
 
 #include <annulus/measure/laplace_weights.h>
 #include <annulus/measure/sphere_side.h>
+#include <annulus/space/for_each_shift.h>
 
 #include <algorithm>
 #include <array>
@@ -17,10 +18,7 @@ namespace annulus::inline v1 {
 /// Edges have coordinates of at most `reach` in the basis, 2.5 or less.
 template <int d>
 Periodic_natural_neighbours<d>::Periodic_natural_neighbours(const Periodic_view<d>& view) : view_(view) {
-    constexpr std::int32_t most = 2;
-    Shift<d> o;
-    o.fill(-most);
-    for (std::size_t i = 0; i < d;) {
+    for_each_shift<d>(2, [this](const Shift<d>& o) {
         const Coordinates<d> way = view_.lattice.place({}, Offset<d>(o));
         bool in_reach = true;
         double squares = 0;
@@ -29,8 +27,7 @@ Periodic_natural_neighbours<d>::Periodic_natural_neighbours(const Periodic_view<
             squares += way[k] * way[k];
         }
         if (in_reach && squares > 0) own_.push_back({Offset<d>(o), std::sqrt(squares)});
-        for (i = 0; i < d && ++o[i] > most; ++i) o[i] = -most;
-    }
+    });
 }
 
 template <int d>

@@ -3,6 +3,7 @@
 
 #include <annulus/measure/nearest_vertex.h>
 #include <annulus/mesh/small_set.h>
+#include <annulus/space/for_each_shift.h>
 
 #include <cmath>
 #include <cstddef>
@@ -103,7 +104,6 @@ Lifted_corner<d> corner_at(const Periodic_table<d>& table, Image<d> image) {
 /// are within half the reach, 1.25, of those of p.
 template <int d>
 Image<d> nearest_of_all(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, const Coordinates<d>& p) {
-    constexpr std::int32_t most = 2;
     Image<d> nearest(none);
     Coordinates<d> best{};
     for (std::size_t v = 0; v < place.size(); ++v) {
@@ -111,18 +111,16 @@ Image<d> nearest_of_all(const Lattice<d>& lattice, std::span<const Coordinates<d
         Coordinates<d> way;
         for (std::size_t i = 0; i < d; ++i) way[i] = p[i] - place[v][i];
         way = lattice.in_basis(way);
-        Shift<d> near, o;
+        Shift<d> near;
         for (std::size_t i = 0; i < d; ++i) near[i] = static_cast<std::int32_t>(std::nearbyint(way[i]));
-        o.fill(-most);
-        for (std::size_t i = 0; i < d;) {
+        for_each_shift<d>(2, [&](const Shift<d>& o) {
             const Offset<d> offset = Offset<d>(near) + Offset<d>(o);
             const Coordinates<d> x = lattice.place(place[v], offset);
             if (nearest.vertex == none || is_nearer<d>(p, x, best)) {
                 nearest = Image<d>(static_cast<Index>(v), offset);
                 best = x;
             }
-            for (i = 0; i < d && ++o[i] > most; ++i) o[i] = -most;
-        }
+        });
     }
     return nearest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/space/basis_relation.h>
+#include <annulus/space/for_each_shift.h>
 #include <annulus/space/lattice.h>
 #include <annulus/types.h>
 
@@ -22,17 +23,14 @@ template <int d>
     if (std::all_of(f.begin(), f.end(), [](double c) { return std::fabs(c) < clear; })) return {};
     Coordinates<d> nearest{};
     double least = std::numeric_limits<double>::infinity();
-    Shift<d> o;
-    o.fill(-1);
-    for (std::size_t i = 0; i < d;) {
+    for_each_shift<d>(1, [&](const Shift<d>& o) {
         Coordinates<d> vector{};
         for (std::size_t j = 0; j < d; ++j)
             for (std::size_t k = 0; k < d; ++k) vector[k] += (std::nearbyint(f[j]) + o[j]) * lattice.basis()[j][k];
         double squared = 0;
         for (std::size_t k = 0; k < d; ++k) squared += (v[k] - vector[k]) * (v[k] - vector[k]);
         if (squared < least) least = squared, nearest = vector;
-        for (i = 0; i < d && ++o[i] > 1; ++i) o[i] = -1;
-    }
+    });
     const Coordinates<d> turns = in_vectors<d>(lattice.box(), nearest);
     Shift<d> s;
     for (std::size_t i = 0; i < d; ++i) s[i] = static_cast<std::int32_t>(std::nearbyint(turns[i]));
