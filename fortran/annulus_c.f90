@@ -341,6 +341,11 @@ module annulus_c
             real(c_double), intent(in) :: coordinates(*)
             type(annulus_report), intent(inout), optional :: report
         end function
+        integer(c_int) function annulus_periodic_recompute_tolerances(mesh, report) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            type(annulus_report), intent(inout), optional :: report
+        end function
         integer(c_int) function annulus_periodic_insert(mesh, count, coordinates, indices) bind(c)
             import
             type(c_ptr), value :: mesh
@@ -403,6 +408,20 @@ module annulus_c
             type(c_ptr), value :: mesh
             integer(c_size_t), value :: capacity
             real(c_double), intent(inout), optional :: volumes(*), surfaces(*), centroids(*)
+        end function
+        integer(c_int) function annulus_periodic_voronoi_gradient(mesh, capacity, weights, gradient) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            real(c_double), intent(in) :: weights(*)
+            real(c_double), intent(inout) :: gradient(*)
+        end function
+        integer(c_int) function annulus_periodic_vertex_of_input(mesh, capacity, indices, count) bind(c)
+            import
+            type(c_ptr), value :: mesh
+            integer(c_size_t), value :: capacity
+            integer(c_int32_t), intent(inout), optional :: indices(*)
+            integer(c_size_t), intent(inout) :: count
         end function
         integer(c_int) function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, &
                 translations, count) bind(c)

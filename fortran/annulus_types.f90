@@ -8,7 +8,7 @@ module annulus_types
     private :: c_char, c_double, c_int, c_int32_t, c_int64_t, c_null_ptr, c_ptr, c_size_t
 
     ! ANNULUS_INTERFACE of the header that this file was written for; the function of that name returns the library's.
-    integer(c_int), parameter :: ANNULUS_INTERFACE_OF_MODULE = 7
+    integer(c_int), parameter :: ANNULUS_INTERFACE_OF_MODULE = 8
 
     enum, bind(c) ! annulus_status
         enumerator :: ANNULUS_OK = 0

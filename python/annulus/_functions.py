@@ -90,8 +90,8 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *, box: ArrayL
     points : array_like, shape (n, 2) or (n, 3) = (n, d)
         At least two distinct points.
     merge_duplicates : bool, optional
-        Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``. Not in a box,
-        where images of one another are duplicates, too.
+        Count duplicate points once, instead of raising an `Error` with the code ``duplicate_point``. In a box images
+        of one another are duplicates, too.
     box : array_like, shape (d,) or (d, d), optional
         The lengths of a periodic box, or its vectors as rows, as `MovingDelaunay` takes it. A single point is enough
         then. There is no hull: ``"ridges"`` is None; and what the result says of the paper's tolerances is not there.
@@ -142,8 +142,6 @@ def degeneracy(points: ArrayLike, merge_duplicates: bool = False, *, box: ArrayL
     >>> bool(0 < found["bicells"]["width_lower"][0] <= found["bicells"]["width_upper"][0] < 1)
     True
     """
-    if box is not None and merge_duplicates:
-        raise NotAvailableError("merge_duplicates=True is not available with a periodic box")
     return _core.degeneracy(points, box, _arguments.truth("merge_duplicates", merge_duplicates),
                             None if thresholds is None else _named_thresholds(thresholds),
                             _arguments.truth("values", values))

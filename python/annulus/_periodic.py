@@ -52,13 +52,16 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
         What a `move` tests: all signs, or only certificates of points that have left their tolerances, which are those
         of ways relative to the box; by default tolerances while they pay, judged by counts of work. Results do not
         depend on it.
+    merge_duplicates : bool, optional
+        Whether points that are images of one another, rounded, become one vertex (`vertex_of_input`) instead of an
+        error. Not those that come to one place later.
 
     Raises
     ------
     Error
         With the codes ``wrong_size``, ``not_finite``, ``out_of_domain``, ``duplicate_point`` if two points are images
-        of one another, ``too_large``, ``usage`` for a box without volume or one that is too skewed or too thin,
-        ``environment``. `NotAvailableError` for an object that is not periodic in all directions.
+        of one another (unless `merge_duplicates`), ``too_large``, ``usage`` for a box without volume or one that is too
+        skewed or too thin, ``environment``. `NotAvailableError` for an object that is not periodic in all directions.
 
     Notes
     -----
@@ -92,10 +95,10 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
     _threads: int
     _report_changes: bool
     _strategy: str
-    _inputs: int
+    _vertex_of_input: Indices
 
     def __init__(self, points: ArrayLike, box: ArrayLike, threads: int = 1, report_changes: bool = False,
-                 strategy: str = "auto") -> None:
+                 strategy: str = "auto", merge_duplicates: bool = False) -> None:
         threads = _arguments.whole("threads", threads, 1, 2**31 - 1)
         report_changes = _arguments.truth("report_changes", report_changes)
         strategy = _arguments.choice("strategy", strategy, STRATEGIES)
@@ -104,11 +107,12 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
             raise Error(f"points must have shape (n, 2) or (n, 3), not {array.shape if array.ndim <= 8 else '(..)'}",
                         "wrong_size")
         kind = _core.Periodic2 if array.shape[1] == 2 else _core.Periodic3
-        self._mesh = kind.build(array, box, threads, report_changes, strategy)
+        merge_duplicates = _arguments.truth("merge_duplicates", merge_duplicates)
+        self._mesh = kind.build(array, box, threads, report_changes, strategy, merge_duplicates)
         self._threads = threads
         self._report_changes = report_changes
         self._strategy = strategy
-        self._inputs = len(array)
+        self._vertex_of_input = self._mesh.vertex_of_input
 
     def move(self, points: ArrayLike, box: ArrayLike | None = None, *,
              indices: ArrayLike | None = None) -> _core.MoveResult:
@@ -245,9 +249,9 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
 
     @property
     def vertex_of_input(self) -> Indices:
-        """ndarray of int32, shape (n,): the vertex of each point given to the constructor: 0, 1, 2, .., as duplicate
-        points are not merged in a box."""
-        return np.arange(self._inputs, dtype=np.int32)
+        """ndarray of int32, shape (n,): the vertex of each point given to the constructor: 0, 1, 2, .. unless duplicate
+        points were merged."""
+        return self._vertex_of_input.copy()
 
     @property
     def strategy(self) -> str:
@@ -285,7 +289,9 @@ class PeriodicDelaunay(PeriodicChanges, PeriodicLists, PeriodicQueries, Periodic
         self._mesh = kind.build_again(state["vectors"], places, state["images"], state.get("free_indices", ()),
                                       more["_threads"], more.setdefault("_report_changes", False),
                                       more.setdefault("_strategy", "auto"))
-        more.setdefault("_inputs", len(places))  # which versions before did not keep
+        # Versions before kept the number of points, or nothing.
+        inputs = more.pop("_inputs", len(places)) if "_vertex_of_input" not in more else 0
+        more.setdefault("_vertex_of_input", np.arange(inputs, dtype=np.int32))
         self.__dict__.update(more)
 
 
@@ -301,7 +307,5 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
     if options["tolerance"] != "certified":
         raise NotAvailableError(f"tolerance={tolerance!r} is not available with a periodic box: there, all are "
                                 "certified")
-    if options["merge_duplicates"]:
-        raise NotAvailableError("merge_duplicates=True is not available with a periodic box yet")
     return PeriodicDelaunay(points, box, options["threads"], options["report_changes"],
-                            "auto" if strategy == "rebuild" else strategy)
+                            "auto" if strategy == "rebuild" else strategy, options["merge_duplicates"])

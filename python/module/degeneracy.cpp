@@ -148,17 +148,20 @@ Degeneracy_record study(std::span<const Coordinates<d>> points, bool merge_dupli
 
 template <int d>
 Degeneracy_record study_in_box(std::span<const Coordinates<d>> points, const typename Box<d>::Vectors& box,
-                               const Thresholds& thresholds, Values_by_kind* values) {
+                               bool merge_duplicates, const Thresholds& thresholds, Values_by_kind* values) {
     auto r = record_of<d>(points.size());
-    r.vertices = points.size();
     r.affine_dimension = d;
     const auto begin = Clock::now();
-    const Periodic_mesh<d> mesh(points, Box<d>(box));
+    const Periodic_mesh<d> mesh(points, Box<d>(box), {.merge_duplicates = merge_duplicates});
     r.seconds_triangulation = since(begin);
+    r.vertices = mesh.number_of_vertices();
+    std::vector<Index> place;  // of each vertex; without merged ones they have the numbers of the points
+    for (std::size_t k = 0; k < mesh.vertex_of_input().size(); ++k)
+        if (static_cast<std::size_t>(mesh.vertex_of_input()[k]) == place.size()) place.push_back(static_cast<Index>(k));
     const auto built = Clock::now();
     r.simplices = mesh.number_of_cells();
     if (points.empty()) throw Error(Error_code::too_few, "degeneracy in a box needs a point");
-    r.measured = degeneracy(mesh, degeneracy_options<d>(thresholds, values, {}));
+    r.measured = degeneracy(mesh, degeneracy_options<d>(thresholds, values, place));
     r.seconds_analysis = since(built);
     return r;
 }
@@ -174,7 +177,7 @@ py::object study_of(Numbers numbers, const py::object& box, bool merge_duplicate
     Degeneracy_record record;
     {
         const Without_gil without_gil;
-        record = boxed ? study_in_box<d>(points.span(), vectors, thresholds, asked)
+        record = boxed ? study_in_box<d>(points.span(), vectors, merge_duplicates, thresholds, asked)
                        : study<d>(points.span(), merge_duplicates, thresholds, asked);
     }
     py::object result = object_of(degeneracy_json(record));

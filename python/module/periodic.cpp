@@ -209,6 +209,10 @@ class Periodic {
         });
         return give(std::move(out)).attr("view")("bool");
     }
+    py::array vertex_of_input() const {
+        const auto of = mesh_.vertex_of_input();  // never changes
+        return give(std::vector(of.begin(), of.end()));
+    }
     std::size_t index_bound() const {
         return locked([&] { return mesh_.index_bound(); });
     }
@@ -265,9 +269,10 @@ void add_periodic_mesh(py::module_& m, const char* name) {
     py::class_<P>(m, name, not_by_new())
         .def_static("build",
                     [](const py::object& points, const py::object& box, int threads, bool report_changes,
-                       const std::string& strategy) {
-                        return std::make_unique<P>(points, box,
-                                                   Periodic_options{threads, report_changes, strategy_of(strategy)});
+                       const std::string& strategy, bool merge_duplicates) {
+                        return std::make_unique<P>(
+                            points, box,
+                            Periodic_options{threads, report_changes, strategy_of(strategy), merge_duplicates});
                     })
         .def_static("build_again",
                     [](const py::object& vectors, const py::object& places, const py::object& images,
@@ -305,6 +310,7 @@ void add_periodic_mesh(py::module_& m, const char* name) {
         .def_property_readonly("neighbor_offsets", &P::neighbor_offsets)
         .def_property_readonly("is_vertex", &P::is_vertex)
         .def_property_readonly("index_bound", &P::index_bound)
+        .def_property_readonly("vertex_of_input", &P::vertex_of_input)
         .def_property_readonly("vertices", &P::vertices)
         .def_property_readonly("cells", &P::cells);
 }

@@ -379,8 +379,7 @@ def test_what_is_not_there_says_so():
         if not name.startswith("_") and not hasattr(dt, name):
             with pytest.raises(annulus.NotAvailableError, match=name):
                 getattr(dt, name)
-    for options in ({"strategy": "in-place"}, {"tolerance": "paper", "strategy": "paper"},
-                    {"merge_duplicates": True}):
+    for options in ({"strategy": "in-place"}, {"tolerance": "paper", "strategy": "paper"}):
         with pytest.raises(annulus.NotAvailableError):
             annulus.MovingDelaunay(points(9), box=[1, 1, 1], **options)
     with pytest.raises(AttributeError):
@@ -421,3 +420,26 @@ def test_tolerances(d):
         assert np.isnan(dt.tolerances[3])
     with pytest.raises(annulus.Error, match="strategy"):
         annulus.PeriodicDelaunay(x, box, strategy="rebuild")
+
+
+@pytest.mark.parametrize("d", [2, 3])
+def test_images_of_one_another_are_one_vertex_on_request(d):
+    box = np.diag([1.0, 2.0, 4.0][:d])
+    x = np.random.default_rng(d).integers(0, 64, (30, d)) / 64 @ box
+    x = np.unique(x, axis=0)
+    shifts = np.random.default_rng(3).integers(-3, 4, (2 * len(x), d))
+    both = np.concatenate([x, x]) + shifts @ box
+    with pytest.raises(annulus.Error) as e:
+        annulus.MovingDelaunay(both, box=box)
+    assert e.value.code == "duplicate_point"
+    dt = annulus.MovingDelaunay(both, box=box, merge_duplicates=True)
+    assert dt.npoints == len(x) and np.array_equal(dt.points, both[:len(x)])
+    assert np.array_equal(dt.vertex_of_input, np.tile(np.arange(len(x)), 2))
+    for other in (pickle.loads(pickle.dumps(dt)), copy.copy(dt)):
+        assert np.array_equal(other.vertex_of_input, dt.vertex_of_input)
+    dt.remove([3])
+    assert len(dt.vertex_of_input) == len(both)
+    found = annulus.degeneracy(both, True, box=box, values=True)
+    assert (found["points"], found["vertices"]) == (len(both), len(x))
+    once = annulus.degeneracy(both[:len(x)], box=box, values=True)
+    assert np.array_equal(found["values"]["bicells"]["points"], once["values"]["bicells"]["points"])

@@ -36,7 +36,7 @@ extern "C" {
 #endif
 
 // Grows by one with each addition to this file. Within one major version of the library nothing is removed or changed.
-#define ANNULUS_INTERFACE 7
+#define ANNULUS_INTERFACE 8
 
 typedef enum annulus_status {
     ANNULUS_OK = 0,
@@ -376,10 +376,10 @@ ANNULUS_API int annulus_t1(const annulus_mesh* mesh, size_t capacity, int32_t* v
 // how many of each vector of the box a point is moved. Rules, errors and messages are as above, with the handle of this
 // kind. Every call that changes something is all or nothing.
 
-// As annulus_create. Of the options `threads` and `report_changes` may be set, and `strategy` to "signs", which tests
-// all signs in a move, to "tolerances", or to "auto", tolerances while they pay. Two points that are, rounded, images
-// of one another are DUPLICATE_POINT; a box that is not possible is USAGE; a point more than 2^29 boxes away is
-// OUT_OF_DOMAIN.
+// As annulus_create. Of the options `threads`, `report_changes` and `merge_duplicates` may be set, and `strategy` to
+// "signs", which tests all signs in a move, to "tolerances", or to "auto", tolerances while they pay. Two points that
+// are, rounded, images of one another are DUPLICATE_POINT, or one vertex (annulus_periodic_vertex_of_input); a box that
+// is not possible is USAGE; a point more than 2^29 boxes away is OUT_OF_DOMAIN.
 ANNULUS_API int annulus_periodic_create(annulus_periodic** mesh, int dimension, size_t points,
                                         const double* coordinates, const double* box, const annulus_options* options);
 ANNULUS_API void annulus_periodic_destroy(annulus_periodic** mesh);
@@ -399,6 +399,9 @@ ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points,
 // Errors: as annulus_periodic_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* indices,
                                       const double* coordinates, annulus_report* report);
+// Evaluates every certificate, and keeps tolerances from now on; with the strategy "signs" it does nothing. O(n).
+// Errors: ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_recompute_tolerances(annulus_periodic* mesh, annulus_report* report);
 // Inserts vertices, all or none, and writes their indices: first the free ones, the one freed last first. Five to
 // fifteen microseconds each in 2D, twenty to forty in 3D; with few points a build. After DUPLICATE_POINT the vertex is
 // named that has an image at one of the places; none where two of the points are images of one another.
@@ -430,6 +433,12 @@ ANNULUS_API int annulus_periodic_voronoi(const annulus_periodic* mesh, size_t ca
 // Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_periodic_voronoi_cells(const annulus_periodic* mesh, size_t capacity, double* volumes,
                                                double* surfaces, double* centroids);
+// As annulus_voronoi_gradient: all images of a point move with it, and the box stays. Errors: ENVIRONMENT, NO_MEMORY.
+ANNULUS_API int annulus_periodic_voronoi_gradient(const annulus_periodic* mesh, size_t capacity, const double* weights,
+                                                  double* gradient);
+// As annulus_vertex_of_input.
+ANNULUS_API int annulus_periodic_vertex_of_input(const annulus_periodic* mesh, size_t capacity, int32_t* indices,
+                                                 size_t* count);
 
 // Lists, as above: kept until the next call that changes the mesh. Cells, one of each set of translates, dimension + 1
 // corners each: vertices and neighbours as many numbers, and as many offsets: corner i of cell c is at

@@ -3,6 +3,7 @@
 
 #include <annulus/arithmetic/environment.h>
 #include <annulus/arithmetic/limits.h>
+#include <annulus/engine/merged_points.h>
 #include <annulus/engine/periodic_changes.h>
 #include <annulus/engine/periodic_editor.h>
 #include <annulus/engine/periodic_mover.h>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -48,6 +50,7 @@ template <int d>
 struct Periodic_mesh<d>::Parts {
     Parts(std::span<const Point> points, const Box<d>& box, const Periodic_options& chosen)
         : options(chosen), state(placed(points.size(), points, box)) {
+        if (options.merge_duplicates) merge(points, box);
         build_first();
     }
     Parts(const Saved_periodic_mesh<d>& saved, const Periodic_options& chosen)
@@ -64,7 +67,17 @@ struct Periodic_mesh<d>::Parts {
             throw Error(Error_code::too_large, "more than " + std::to_string(Limits::vertices) + " points");
         return Periodic_state<d>(std::forward<Of>(of)...);
     }
+    void merge(std::span<const Point> points, const Box<d>& box) {
+        Merged_points<d> merged = merged_points<d>(state.lattice, points, state.place);
+        vertex_of_input = std::move(merged.vertex);
+        if (merged.distinct.size() < points.size())
+            state = placed(merged.distinct.size(), std::span<const Point>(merged.distinct), box);
+    }
     void build_first() {
+        if (vertex_of_input.empty()) {
+            vertex_of_input.resize(state.place.size());
+            std::iota(vertex_of_input.begin(), vertex_of_input.end(), Index{0});
+        }
         builder.build(state.lattice, state.place, options.threads, state.table);
         builder.release();  // some meshes are never built again
     }
@@ -102,6 +115,7 @@ struct Periodic_mesh<d>::Parts {
     Periodic_editor<d> editor{builder, options.threads};
     Periodic_state<d> state;
     Periodic_changes<d> changes;  // of the last call
+    std::vector<Index> vertex_of_input;
 };
 
 template <int d>
@@ -192,6 +206,10 @@ void Periodic_mesh<d>::remove(std::span<const Index> indices) {
     });
 }
 
+template <int d>
+std::span<const Index> Periodic_mesh<d>::vertex_of_input() const {
+    return parts_->vertex_of_input;
+}
 template <int d>
 std::size_t Periodic_mesh<d>::number_of_vertices() const {
     return parts_->state.vertices();

@@ -21,6 +21,7 @@ struct Periodic_options {
     int threads = 1;              ///< 1 or more, else Error(usage); results do not depend on it
     bool report_changes = false;  ///< whether calls list the pairs and cells that they change (Periodic_mesh::changes)
     Periodic_strategy strategy = Periodic_strategy::automatic;  ///< of moves; the triangulation does not depend on it
+    bool merge_duplicates = false;  ///< of the constructor: points that are images of one another are one vertex
 };
 
 /// Pairs of neighbouring images: point second[k], moved by shift[k] . box, and point first[k]. Each pair once: first <=
@@ -81,8 +82,8 @@ class Periodic_mesh {
     using Point = Coordinates<d>;
 
     /// Points may be anywhere: any image of each. Throws not_finite; out_of_domain for a point more than 2^29 boxes
-    /// away; duplicate_point, naming two points that are, rounded, images of one another; too_large; usage;
-    /// environment; and what new throws.
+    /// away; duplicate_point (unless options.merge_duplicates), naming two points that are, rounded, images of one
+    /// another; too_large; usage; environment; and what new throws.
     Periodic_mesh(std::span<const Point> points, const Box<d>& box, const Periodic_options& options = {});
     /// The mesh that was saved. Throws bad_input where a place is not on the grid of the box or not in it, an image is
     /// more than 2^29 boxes away, or there are not as many images as places; and what the other constructor throws.
@@ -132,6 +133,10 @@ class Periodic_mesh {
     void remove(Index i);
     /// The same for several vertices, all or none. An index that occurs twice is unknown_vertex, too.
     void remove(std::span<const Index> indices);
+
+    /// The vertex of each point that the constructor was given: 0, 1, 2, .. unless duplicate points were merged. Valid
+    /// as long as the mesh.
+    [[nodiscard]] std::span<const Index> vertex_of_input() const;
 
     [[nodiscard]] std::size_t number_of_vertices() const;
     /// One more than the largest index in use or free: the number of points that move_all takes.

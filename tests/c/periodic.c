@@ -32,7 +32,8 @@ static int is_delaunay(const annulus_periodic* mesh) {
 static void check_lists(const annulus_periodic* mesh, int d, double volume) {
     static int32_t first[most], second[most], shifts[3 * most], vertices[4 * most], offsets[12 * most],
         neighbours[4 * most], translations[12 * most];
-    static double vectors[3 * most], distances[most], areas[most], volumes[most], tolerances[most], x[3 * most];
+    static double vectors[3 * most], distances[most], areas[most], volumes[most], tolerances[most], x[3 * most],
+        weights[most], gradient[3 * most];
     double box[9], sum = 0;
     size_t bound = 0, pairs = 0, cells = 0;
     int dimension = 0;
@@ -51,6 +52,10 @@ static void check_lists(const annulus_periodic* mesh, int d, double volume) {
         if (there) sum += volumes[i];
     }
     CHECK(fabs(sum - volume) < 1e-9 * volume);
+    // All volumes together do not change, and one alone does.
+    for (size_t i = 0; i < bound; ++i) weights[i] = 1;
+    CHECK_STATUS(annulus_periodic_voronoi_gradient(mesh, bound, weights, gradient), ANNULUS_OK);
+    for (size_t k = 0; k < (size_t)d * bound; ++k) CHECK(isnan(gradient[k]) || fabs(gradient[k]) < 1e-9 * volume);
 
     CHECK_STATUS(annulus_periodic_neighbours(mesh, 0, NULL, NULL, NULL, NULL, NULL, NULL, &pairs), ANNULUS_OK);
     CHECK(pairs > 0 && pairs < most);
@@ -251,9 +256,9 @@ static void check_refusals(void) {
     options.strategy = "in-place";
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
     options.strategy = "tolerances";
-    options.merge_duplicates = 1;
+    options.tolerance = "paper";
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
-    options.merge_duplicates = 0;
+    options.tolerance = NULL;
     options.threads = -1;
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_USAGE);
     options.threads = 2;
@@ -264,6 +269,17 @@ static void check_refusals(void) {
     CHECK(annulus_periodic_error_vertices(NULL, 4, named) == 2 && named[0] == 0 && named[1] == 1);
     CHECK(annulus_error_vertices(NULL, 4, named) == 2 && mesh == NULL);
     CHECK(annulus_periodic_message(NULL, NULL, 0) > 0);
+    options.merge_duplicates = 1;
+    CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, x, cube, &options), ANNULUS_OK);
+    CHECK_STATUS(annulus_periodic_vertex_count(mesh, &count), ANNULUS_OK);
+    CHECK(count == 3);
+    CHECK_STATUS(annulus_periodic_vertex_of_input(mesh, 0, NULL, &count), ANNULUS_OK);
+    CHECK(count == 4);
+    CHECK_STATUS(annulus_periodic_vertex_of_input(mesh, 3, named, &count), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_periodic_vertex_of_input(mesh, 4, named, &count), ANNULUS_OK);
+    CHECK(named[0] == 0 && named[1] == 0 && named[2] == 1 && named[3] == 2);
+    annulus_periodic_destroy(&mesh);
+    options.merge_duplicates = 0;
 
     CHECK_STATUS(annulus_periodic_create(&mesh, 3, 4, copper, cube, &options), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_pairs_made(mesh, 0, NULL, NULL, NULL, &count), ANNULUS_USAGE);
@@ -280,6 +296,11 @@ static void check_refusals(void) {
     CHECK_STATUS(annulus_periodic_points(mesh, 3, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_voronoi(mesh, 3, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_voronoi(mesh, 4, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_periodic_voronoi_gradient(mesh, 3, x, x), ANNULUS_WRONG_SIZE);
+    CHECK_STATUS(annulus_periodic_voronoi_gradient(mesh, 4, NULL, x), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_periodic_voronoi_gradient(mesh, 4, x, NULL), ANNULUS_NULL_POINTER);
+    CHECK_STATUS(annulus_periodic_recompute_tolerances(mesh, &no_size), ANNULUS_USAGE);
+    CHECK_STATUS(annulus_periodic_recompute_tolerances(mesh, NULL), ANNULUS_OK);
     CHECK_STATUS(annulus_periodic_tolerances(mesh, 3, x), ANNULUS_WRONG_SIZE);
     CHECK_STATUS(annulus_periodic_tolerances(mesh, 4, NULL), ANNULUS_NULL_POINTER);
     CHECK_STATUS(annulus_periodic_box(mesh, NULL), ANNULUS_NULL_POINTER);

@@ -8,7 +8,7 @@ module C
 const library = "libannulus_c.so.0"
 
 # ANNULUS_INTERFACE of the header that this file was written for; `annulus_interface` returns the library's.
-const INTERFACE = 7
+const INTERFACE = 8
 
 # annulus_status
 const OK = 0
@@ -341,6 +341,10 @@ function annulus_periodic_move(mesh, count, indices, coordinates, report)
                  mesh, count, indices, coordinates, report)
 end
 
+function annulus_periodic_recompute_tolerances(mesh, report)
+    return ccall((:annulus_periodic_recompute_tolerances, library), Cint, (Ptr{Cvoid}, Ptr{Report}), mesh, report)
+end
+
 function annulus_periodic_insert(mesh, count, coordinates, indices)
     return ccall((:annulus_periodic_insert, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Int32}),
                  mesh, count, coordinates, indices)
@@ -395,6 +399,17 @@ function annulus_periodic_voronoi_cells(mesh, capacity, volumes, surfaces, centr
     return ccall((:annulus_periodic_voronoi_cells, library), Cint,
                  (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}),
                  mesh, capacity, volumes, surfaces, centroids)
+end
+
+function annulus_periodic_voronoi_gradient(mesh, capacity, weights, gradient)
+    return ccall((:annulus_periodic_voronoi_gradient, library), Cint,
+                 (Ptr{Cvoid}, Csize_t, Ptr{Cdouble}, Ptr{Cdouble}),
+                 mesh, capacity, weights, gradient)
+end
+
+function annulus_periodic_vertex_of_input(mesh, capacity, indices, count)
+    return ccall((:annulus_periodic_vertex_of_input, library), Cint, (Ptr{Cvoid}, Csize_t, Ptr{Int32}, Ptr{Csize_t}),
+                 mesh, capacity, indices, count)
 end
 
 function annulus_periodic_cells(mesh, capacity, vertices, offsets, neighbours, translations, count)

@@ -133,6 +133,13 @@ int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* i
     });
 }
 
+int annulus_periodic_recompute_tolerances(annulus_periodic* mesh, annulus_report* report) {
+    return on(mesh, [&](auto& boxed) {
+        require_report(report);
+        write_report(report, boxed.changing().recompute_tolerances(), std::decay_t<decltype(boxed)>::dimension, 0);
+    });
+}
+
 int annulus_periodic_insert(annulus_periodic* mesh, size_t count, const double* coordinates, int32_t* indices) {
     return on(mesh, [&](auto& boxed) {
         constexpr int d = std::decay_t<decltype(boxed)>::dimension;
@@ -183,6 +190,14 @@ int annulus_periodic_tolerances(const annulus_periodic* mesh, size_t capacity, d
         require_room(capacity, boxed.mesh().index_bound(), "vertices");
         require(tolerances, capacity, "tolerances");
         copy_flat(boxed.mesh().tolerances(), tolerances);
+    });
+}
+int annulus_periodic_vertex_of_input(const annulus_periodic* mesh, size_t capacity, int32_t* indices, size_t* count) {
+    return on(mesh, [&](const auto& boxed) {
+        require(count, "count");
+        const auto all = boxed.mesh().vertex_of_input();
+        count_list(capacity, {indices}, all.size(), "points", count);
+        copy_flat(all, indices);
     });
 }
 int annulus_periodic_voronoi(const annulus_periodic* mesh, size_t capacity, double* volumes) {

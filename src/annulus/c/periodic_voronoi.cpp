@@ -21,6 +21,16 @@ int annulus_periodic_voronoi_cells(const annulus_periodic* mesh, size_t capacity
     });
 }
 
+int annulus_periodic_voronoi_gradient(const annulus_periodic* mesh, size_t capacity, const double* weights,
+                                      double* gradient) {
+    return on(mesh, [&](const auto& boxed) {
+        require_room(capacity, boxed.mesh().index_bound(), "vertices");
+        require(weights, capacity, "weights");
+        require(gradient, capacity, "gradient");
+        copy_flat(boxed.mesh().voronoi_gradient({weights, boxed.mesh().index_bound()}), gradient);
+    });
+}
+
 int annulus_periodic_voronoi_facets(const annulus_periodic* mesh, size_t capacity, int32_t* first, int32_t* second,
                                     int32_t* shifts, double* measures, double* centroids, size_t* count) {
     return on(mesh, [&](const auto& boxed) {

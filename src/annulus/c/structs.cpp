@@ -62,8 +62,11 @@ Periodic_options periodic_options_of(const annulus_options* given) {
     choose(options.strategy, known.strategy, periodic_strategy_named, "strategy in a periodic box",
            "auto, signs, tolerances");
     const Options others = others_of(known);
-    if (others.tolerance != Options{}.tolerance || others.merge_duplicates)
-        throw Refused(ANNULUS_USAGE, "in a periodic box annulus_options may set threads, report_changes and strategy");
+    if (others.tolerance != Options{}.tolerance)
+        throw Refused(ANNULUS_USAGE,
+                      "in a periodic box annulus_options may set threads, report_changes, "
+                      "merge_duplicates and strategy");
+    options.merge_duplicates = others.merge_duplicates;
     options.threads = others.threads;
     options.report_changes = others.report_changes;
     return options;
