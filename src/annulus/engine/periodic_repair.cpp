@@ -13,8 +13,8 @@ namespace annulus::inline v1 {
 
 namespace {
 
-constexpr int most_rounds = 64;
-constexpr int most_idle_rounds = 24;  // in each a vertex tries half as much of its way; a build costs more
+constexpr int most_box_rounds = 64;
+constexpr int most_idle_box_rounds = 24;  // in each a vertex tries half as much of its way; a build costs more
 
 }  // namespace
 
@@ -271,7 +271,7 @@ bool Periodic_repair<d>::flip_until_done(const Lattice<d>& lattice) {
         }
     } back{held_};
     int idle = 0;
-    for (int round = 0; round < most_rounds && idle < most_idle_rounds; ++round) {
+    for (int round = 0; round < most_box_rounds && idle < most_idle_box_rounds; ++round) {
         auto& inverted = signs_.inverted();
         inverted.insert(inverted.end(), left_.inverted_at_source.begin(), left_.inverted_at_source.end());
         left_.inverted_at_source.clear();
