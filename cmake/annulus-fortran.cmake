@@ -4,7 +4,7 @@
 set(annulus_fortran_file "${PROJECT_BINARY_DIR}/fortran/annulus.f90")
 set(annulus_fortran_text "")
 foreach(part IN ITEMS annulus_types annulus_c annulus_common annulus_meshes meshes_changes meshes_measures meshes_lists
-        annulus_predicates annulus)
+        annulus_periodic periodic_changes periodic_measures periodic_lists annulus_predicates annulus)
     set(annulus_fortran_part "${PROJECT_SOURCE_DIR}/fortran/${part}.f90")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${annulus_fortran_part}")
     file(READ "${annulus_fortran_part}" annulus_fortran_lines)

@@ -8,6 +8,8 @@
 !     call mesh%move_all(x)
 !     call mesh%voronoi(volumes)
 !
+! type(periodic_mesh) is the same in a periodic box: call mesh%create(x, box).
+!
 ! Indices: every number of a vertex, a cell or a place in a list is one more than in C. So vertices and cells count from
 ! 1, 0 is no vertex, no cell or the vertex at infinity, and -1 is the padding of cells in a plane or on a line.
 !
@@ -20,6 +22,7 @@ module annulus
     use annulus_types
     use annulus_common, only: fault_text, library_message, library_version, library_vertices, status_name
     use annulus_meshes, only: moving_mesh
+    use annulus_periodic, only: periodic_mesh
     use annulus_predicates, only: audit_cells, in_circle, in_sphere, orient_2d, orient_3d
     implicit none
 end module annulus

@@ -7,27 +7,29 @@ module annulus_common
     use annulus_c
     implicit none
     private
-    public :: check, fail, fit, from_c, to_c, message_of, vertices_of
+    public :: check, fail, fit, from_c, has_shape, in_c, to_c, message_of, vertices_of
     public :: fault_text, library_message, library_version, library_vertices, status_name
 
     ! Gives an array this size or shape, if it has not.
     interface fit
-        procedure :: fit_real, fit_reals, fit_integer, fit_integers
+        procedure :: fit_real, fit_reals, fit_integer, fit_integers, fit_offsets
     end interface
 
 contains
 
     ! The end of a call that returned this status: sets stat and errmsg, or ends the program. handle: the mesh of the
-    ! call, c_null_ptr without one.
-    subroutine check(handle, status, stat, errmsg)
+    ! call, c_null_ptr without one. boxed: it is one of a periodic box, here and below.
+    subroutine check(handle, status, stat, errmsg, boxed)
         type(c_ptr), intent(in) :: handle
         integer(c_int), intent(in) :: status
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        logical, intent(in), optional :: boxed
         if (status == ANNULUS_OK) then
             if (present(stat)) stat = status
         else
-            call fail(status, message_of(handle) // counted_from_one(vertices_of(handle)), stat, errmsg)
+            call fail(status, message_of(handle, boxed) // counted_from_one(vertices_of(handle, boxed)), stat, &
+                errmsg)
         end if
     end subroutine
 
@@ -46,6 +48,25 @@ contains
         end if
     end subroutine
 
+    ! Whether x has this shape; else the error is reported. created: there is a mesh.
+    logical function has_shape(x, rows, columns, created, stat, errmsg)
+        real(c_double), intent(in) :: x(:, :)
+        integer, intent(in) :: rows, columns
+        logical, intent(in) :: created
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(120) :: text
+        has_shape = size(x, 1) == rows .and. size(x, 2) == columns .and. created
+        if (has_shape) return
+        if (.not. created) then
+            call fail(ANNULUS_NULL_POINTER, 'the mesh has not been created', stat, errmsg)
+        else
+            write (text, '(4(a, i0), a)') 'an array (', size(x, 1), ', ', size(x, 2), ') where (', rows, ', ', &
+                columns, ') is expected'
+            call fail(ANNULUS_WRONG_SIZE, trim(text), stat, errmsg)
+        end if
+    end function
+
     ! The library's words count vertices from 0.
     function counted_from_one(vertices) result(text)
         integer(c_int32_t), intent(in) :: vertices(:)
@@ -63,27 +84,39 @@ contains
     end function
 
     ! Message of the last error of a mesh, or of this thread's last one without a mesh.
-    function message_of(handle) result(text)
+    function message_of(handle, boxed) result(text)
         type(c_ptr), intent(in) :: handle
+        logical, intent(in), optional :: boxed
         character(:), allocatable :: text
         character(kind=c_char), allocatable :: buffer(:)
         integer(c_size_t) :: length, i
-        length = annulus_message(handle, capacity=0_c_size_t)
+        logical :: in_box
+        in_box = .false.
+        if (present(boxed)) in_box = boxed
+        if (in_box) length = annulus_periodic_message(handle, capacity=0_c_size_t)
+        if (.not. in_box) length = annulus_message(handle, capacity=0_c_size_t)
         allocate (buffer(length + 1))
-        length = annulus_message(handle, buffer, length + 1)
+        if (in_box) length = annulus_periodic_message(handle, buffer, length + 1)
+        if (.not. in_box) length = annulus_message(handle, buffer, length + 1)
         allocate (character(length) :: text)
         do i = 1, length
             text(i:i) = buffer(i)
         end do
     end function
 
-    function vertices_of(handle) result(vertices)
+    function vertices_of(handle, boxed) result(vertices)
         type(c_ptr), intent(in) :: handle
+        logical, intent(in), optional :: boxed
         integer(c_int32_t), allocatable :: vertices(:)
         integer(c_size_t) :: count
-        count = annulus_error_vertices(handle, 0_c_size_t)
+        logical :: in_box
+        in_box = .false.
+        if (present(boxed)) in_box = boxed
+        if (in_box) count = annulus_periodic_error_vertices(handle, 0_c_size_t)
+        if (.not. in_box) count = annulus_error_vertices(handle, 0_c_size_t)
         allocate (vertices(count))
-        count = annulus_error_vertices(handle, count, vertices)
+        if (in_box) count = annulus_periodic_error_vertices(handle, count, vertices)
+        if (.not. in_box) count = annulus_error_vertices(handle, count, vertices)
         vertices = vertices + 1
     end function
 
@@ -149,6 +182,13 @@ contains
         end do
     end function
 
+    ! An option as a number of C.
+    integer(c_int32_t) function in_c(option)
+        logical, intent(in), optional :: option
+        in_c = 0
+        if (present(option)) in_c = merge(1_c_int32_t, 0_c_int32_t, option)
+    end function
+
     subroutine fit_real(array, n)
         real(c_double), allocatable, intent(inout) :: array(:)
         integer(c_size_t), intent(in) :: n
@@ -189,5 +229,16 @@ contains
             deallocate (array)
         end if
         allocate (array(rows, n))
+    end subroutine
+
+    subroutine fit_offsets(array, rows, corners, n)
+        integer(c_int32_t), allocatable, intent(inout) :: array(:, :, :)
+        integer, intent(in) :: rows, corners
+        integer(c_size_t), intent(in) :: n
+        if (allocated(array)) then
+            if (size(array, 1) == rows .and. size(array, 2) == corners .and. size(array, 3, c_size_t) == n) return
+            deallocate (array)
+        end if
+        allocate (array(rows, corners, n))
     end subroutine
 end module annulus_common

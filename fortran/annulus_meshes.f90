@@ -315,15 +315,6 @@ contains
         integer, intent(in) :: columns
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        character(120) :: text
-        fits = size(x, 1) == self%dimension() .and. size(x, 2) == columns
-        if (fits) return
-        if (.not. c_associated(self%handle)) then
-            call fail(ANNULUS_NULL_POINTER, 'the mesh has not been created', stat, errmsg)
-        else
-            write (text, '(4(a, i0), a)') 'an array (', size(x, 1), ', ', size(x, 2), ') where (', &
-                self%dimension(), ', ', columns, ') is expected'
-            call fail(ANNULUS_WRONG_SIZE, trim(text), stat, errmsg)
-        end if
+        fits = has_shape(x, self%dimension(), columns, c_associated(self%handle), stat, errmsg)
     end function
 end module annulus_meshes

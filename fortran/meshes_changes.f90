@@ -20,8 +20,8 @@ contains
             options%tolerance = c_loc(tolerance_c)
         end if
         if (present(threads)) options%threads = int(threads, c_int32_t)
-        if (present(merge_duplicates)) options%merge_duplicates = merge(1_c_int32_t, 0_c_int32_t, merge_duplicates)
-        if (present(report_changes)) options%report_changes = merge(1_c_int32_t, 0_c_int32_t, report_changes)
+        options%merge_duplicates = in_c(merge_duplicates)
+        options%report_changes = in_c(report_changes)
         if (present(seed)) options%seed = seed
         status = annulus_create(made, size(x, 1, c_int), size(x, 2, c_size_t), x, options)
         if (status == ANNULUS_OK) then

@@ -13,6 +13,7 @@ program test_fortran
     use checks
     use test_measures, only: a_square, measures
     use test_moves, only: moves
+    use test_periodic, only: a_loop, in_a_box, lists_in_a_box, refusals_in_a_box
     use test_predicates, only: without_a_mesh
     use test_refusals, only: options, refusals
     implicit none
@@ -28,6 +29,12 @@ program test_fortran
     call without_a_mesh()
     call raw()
     call periodic()
+    call a_loop()
+    call in_a_box(2)
+    call in_a_box(3)
+    call lists_in_a_box(2)
+    call lists_in_a_box(3)
+    call refusals_in_a_box()
     print '(a, 2(i0, a))', 'fortran: ', checked, ' checks, ', failed, ' failures'
     if (failed > 0 .or. checked == 0) error stop 1
 

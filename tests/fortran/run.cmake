@@ -33,7 +33,8 @@ foreach(source IN LISTS SOURCES)
 endforeach()
 
 # Without stat an error ends the program, with the reason; a mesh cannot be assigned.
-foreach(case IN ITEMS "call mesh%remove([9])|unknown vertex" "other = mesh|cannot be assigned")
+foreach(case IN ITEMS "call mesh%remove([9])|unknown vertex" "other = mesh|cannot be assigned"
+        "call boxed%remove([9])|unknown vertex" "another = boxed|cannot be assigned")
     string(REPLACE "|" ";" case "${case}")
     list(GET case 0 statement)
     list(GET case 1 reason)
@@ -42,8 +43,11 @@ program stops
     use annulus
     implicit none
     type(moving_mesh) :: mesh, other
+    type(periodic_mesh) :: boxed, another
     call mesh%create(reshape([0d0, 0d0, 1d0, 0d0, 0d0, 1d0], [2, 3]))
     call other%destroy()
+    call boxed%create(reshape([0d0, 0d0], [2, 1]), reshape([1d0, 0d0, 0d0, 1d0], [2, 2]))
+    call another%destroy()
     ${statement}
 end program
 ")
