@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _arguments, _core, _outputs
+from ._construction import options_of
 from ._error import Error
-from ._moving_delaunay import MovingDelaunay, of_mesh, options_of
+from ._moving_delaunay import MovingDelaunay, of_mesh
 from ._queries import Floats
 
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arguments, _core, _lloyd
+from ._construction import options_of
 from ._error import Error, NotAvailableError
-from ._moving_delaunay import options_of
 from ._queries import AuditResult, audit_result_of
 
 

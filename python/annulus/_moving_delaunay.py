@@ -6,19 +6,20 @@ from __future__ import annotations
 import inspect
 import typing
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arguments, _core
+from ._construction import Construction, options_of
 from ._error import Error, NotAvailableError
-from ._neighbors import VoronoiQueries
 from ._no_array import NoArray
-from ._periodic import made_with_box
+from ._periodic import PeriodicDelaunay, made_with_box
 from ._plot import Plots
 from ._queries import Indices
 
+Self = typing.TypeVar("Self", bound="MovingDelaunay")
 
-class MovingDelaunay(VoronoiQueries, Plots, NoArray):
+
+class MovingDelaunay(Construction, Plots, NoArray):
     """A Delaunay triangulation that is kept right while its vertices move.
 
     With ``tolerance="certified"``, the simplices are a Delaunay triangulation of the points at their current
@@ -39,7 +40,8 @@ class MovingDelaunay(VoronoiQueries, Plots, NoArray):
     strategy : str, optional
         How the triangulation is kept right: ``auto`` (in each step the cheapest of tolerances, signs with flips,
         and rebuilding, as estimated from counts), ``tolerances``, ``tolerances-each``, ``in-place``, ``rebuild``,
-        ``relocate``, ``relocate-flips``, ``paper`` or ``paper-hybrid``.
+        ``relocate``, ``relocate-flips``, ``paper`` or ``paper-hybrid``. With `box`: ``auto``, ``signs``,
+        ``tolerances``, or ``rebuild``, which is ``auto`` there.
     tolerance : str, optional
         ``certified``, a proved lower bound; with the strategies ``paper`` and ``paper-hybrid`` also ``paper`` and
         ``floating``, which are uncertified and meant for comparison. ``paper`` is unsound in 3D.
@@ -102,7 +104,16 @@ class MovingDelaunay(VoronoiQueries, Plots, NoArray):
     (1000, True)
     """
 
-    _options: dict[str, typing.Any]
+    # For type checkers, which see the class that `box` makes. They prefer `__new__` to the `__init__` of a base.
+    @typing.overload
+    def __new__(cls: type[Self], points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
+                merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
+                seed: int = 0, box: None = None) -> Self: ...
+
+    @typing.overload
+    def __new__(cls, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
+                merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = False,
+                seed: int = 0, box: ArrayLike) -> InBox: ...
 
     def __new__(cls, *arguments: typing.Any, **named: typing.Any) -> typing.Any:
         if named.get("box") is None:
@@ -111,21 +122,6 @@ class MovingDelaunay(VoronoiQueries, Plots, NoArray):
             raise NotAvailableError(f"box is not available in {cls.__name__}: classes derived from MovingDelaunay have "
                                     "open boundaries")
         return made_with_box(*arguments, **named)
-
-    def __init__(self, points: ArrayLike, strategy: str = "auto", tolerance: str = "certified",
-                 merge_duplicates: bool = False, threads: int = 1, *, report_changes: bool = True,
-                 seed: int = 0, box: ArrayLike | None = None) -> None:
-        options = _arguments.options(strategy, tolerance, merge_duplicates, threads, report_changes, seed)
-        array = points if type(points) is np.ndarray else _arguments.array_of(points, "points")
-        shape = array.shape
-        if len(shape) != 2 or shape[1] not in (2, 3):
-            raise Error(f"points must have shape (n, 2) or (n, 3), not {shape if len(shape) <= 8 else '(..)'}",
-                        "wrong_size")
-        mesh = (_core.Mesh2 if shape[1] == 2 else _core.Mesh3).build(array, options_of(options))
-        self._options = options
-        self._mesh = mesh
-        self._vertex_of_input = mesh.vertex_of_input
-        self._vertex_of_input.flags.writeable = False
 
     # ---- Changes -----------------------------------------------------------------------------
 
@@ -230,6 +226,12 @@ class MovingDelaunay(VoronoiQueries, Plots, NoArray):
         self._vertex_of_input.flags.writeable = False
 
 
+if typing.TYPE_CHECKING:
+    class InBox(PeriodicDelaunay, MovingDelaunay):  # type: ignore[misc]
+        """What type checkers take `MovingDelaunay` with a box for: a `PeriodicDelaunay`, which it is. That it is a
+        `MovingDelaunay`, too, is not so, but mypy ignores a `__new__` that makes something else than its class."""
+
+
 # What `help` shows, and not what `__new__` passes on.
 setattr(MovingDelaunay, "__signature__", inspect.signature(MovingDelaunay.__init__).replace(
     parameters=list(inspect.signature(MovingDelaunay.__init__).parameters.values())[1:],
@@ -242,9 +244,3 @@ def of_mesh(mesh: _core.Mesh2 | _core.Mesh3, options: dict[str, typing.Any]) -> 
     dt._options, dt._mesh, dt._vertex_of_input = options, mesh, mesh.vertex_of_input
     dt._vertex_of_input.flags.writeable = False
     return dt
-
-
-def options_of(o: dict[str, typing.Any]) -> _core.Options:
-    """The options for the compiled module, from those that `_arguments.options` has checked."""
-    return _core.options(o["strategy"], o["tolerance"], o["threads"], o["merge_duplicates"], o["report_changes"],
-                         o["seed"])

@@ -4,6 +4,7 @@
 import ast
 import doctest
 import inspect
+import re
 import shutil
 import subprocess
 import sys
@@ -82,11 +83,8 @@ def test_stubtest():
     assert "Mesh2" in done.stdout, "it has looked"
 
 
-@pytest.mark.skipif(shutil.which("mypy") is None and not Path("/usr/bin/mypy").exists(), reason="mypy is not installed")
-def test_types(tmp_path):
-    """mypy agrees with the package and with a program that uses it."""
-    program = tmp_path / "program.py"
-    program.write_text("""
+# Lines that end with an error's code have this one error. mypy has to see what is wrong, too.
+PROGRAM = """
 import annulus
 import numpy as np
 
@@ -100,7 +98,38 @@ whole: annulus.Analysis = annulus.analyze(np.zeros((2, 5, 2)), "volumes", box=[1
 stream: annulus.AnalysisStream = annulus.analyze([np.zeros((5, 2))], ("pairs",), stream=True)
 for frame in stream:
     n = frame.npoints + len(frame.pairs) + len(whole)
-""", encoding="utf-8")
+
+boxed = annulus.MovingDelaunay(dt.points, "signs", box=np.eye(3), merge_duplicates=True)
+periodic: annulus.PeriodicDelaunay = boxed
+result = boxed.move(boxed.points, [1, 1, 2])
+result = boxed.move(boxed.points[:1], indices=[0])
+i, j, shifts = boxed.neighbor_list("ijS")
+vectors = boxed.box @ boxed.box.T
+boxed.move(3, nonsense=4)  # call-arg
+opened: annulus.MovingDelaunay = annulus.MovingDelaunay(dt.points, box=None)
+opened.box  # attr-defined
+periodic = opened  # assignment
+annulus.MovingDelaunay(dt.points, 3)  # call-overload
+annulus.MovingDelaunay(dt.points, box=[1, 1, 1], nonsense=2)  # call-overload
+
+class Named(annulus.MovingDelaunay):
+    def __init__(self, name: str) -> None:
+        super().__init__(np.zeros((0, 2)), threads=2)
+        self.name = name
+
+class Plain(annulus.MovingDelaunay):
+    pass
+
+plain: Plain = Plain(dt.points)
+name: str = Named("one").name
+"""
+
+
+@pytest.mark.skipif(shutil.which("mypy") is None and not Path("/usr/bin/mypy").exists(), reason="mypy is not installed")
+def test_types(tmp_path):
+    """mypy agrees with the package and with a program that uses it."""
+    program = tmp_path / "program.py"
+    program.write_text(PROGRAM, encoding="utf-8")
     mypy = ([sys.executable, "-m", "mypy"] if subprocess.run([sys.executable, "-m", "mypy", "--version"],
                                                              capture_output=True, check=False).returncode == 0
             else ["/usr/bin/mypy"])
@@ -110,4 +139,6 @@ for frame in stream:
     assert done.returncode == 0, done.stdout + done.stderr
     done = subprocess.run([*mypy, "--cache-dir", str(tmp_path / "cache"), "--follow-imports=silent", str(program)],
                           cwd=PACKAGE.parent, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    found = re.findall(r":(\d+): error: .*\[([\w-]+)\]$", done.stdout, re.MULTILINE)
+    expected = [(str(k), line.rpartition("# ")[2]) for k, line in enumerate(PROGRAM.split("\n"), 1) if "  # " in line]
+    assert found == expected and len(expected) == 5, done.stdout + done.stderr
