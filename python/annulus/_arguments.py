@@ -41,13 +41,17 @@ def described(value: object) -> str:
     return f"a value of type {kind}"
 
 
+def one_of(choices: tuple[str, ...]) -> str:
+    """What `choice` expects, in words."""
+    return f"one of {', '.join(choices[:-1])} or {choices[-1]}" if len(choices) > 1 else choices[0]
+
+
 def choice(name: str, value: object, choices: tuple[str, ...]) -> str:
     """One of a few strings."""
-    expected = f"{', '.join(choices[:-1])} or {choices[-1]}"
     if not isinstance(value, str):
-        raise TypeError(f"{name} must be a str, one of {expected}; not {described(value)}")
+        raise TypeError(f"{name} must be a str, {one_of(choices)}; not {described(value)}")
     if value not in choices:
-        raise Error(f"{name} must be one of {expected}; not {described(value)}", "usage")
+        raise Error(f"{name} must be {one_of(choices)}; not {described(value)}", "usage")
     return str(value)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _arguments, _core
 from ._error import Error, NotAvailableError
 from ._no_array import NoArray
-from ._periodic_arguments import plain
+from ._periodic_arguments import choice_in_box, plain
 from ._periodic_changes import PeriodicChanges
 from ._periodic_diagrams import PeriodicDiagrams
 from ._periodic_gradients import PeriodicGradients
@@ -299,13 +299,8 @@ def made_with_box(points: ArrayLike, strategy: str = "auto", tolerance: str = "c
                   merge_duplicates: bool = False, threads: int = 1, *, box: ArrayLike, report_changes: bool = False,
                   seed: int = 0) -> PeriodicDelaunay:
     """What `MovingDelaunay` returns when it is given a box."""
-    options = _arguments.options("auto" if strategy == "signs" else strategy, tolerance, merge_duplicates, threads,
-                                 report_changes, seed)
-    if options["strategy"] not in ("rebuild", *STRATEGIES):
-        raise NotAvailableError(f"strategy={strategy!r} is not available with a periodic box: there are 'auto', "
-                                "'signs' and 'tolerances'")
-    if options["tolerance"] != "certified":
-        raise NotAvailableError(f"tolerance={tolerance!r} is not available with a periodic box: there, all are "
-                                "certified")
+    strategy = choice_in_box("strategy", strategy, (*STRATEGIES, "rebuild"), _arguments.STRATEGIES)
+    choice_in_box("tolerance", tolerance, ("certified",), _arguments.TOLERANCES)
+    options = _arguments.options("auto", "certified", merge_duplicates, threads, report_changes, seed)
     return PeriodicDelaunay(points, box, options["threads"], options["report_changes"],
                             "auto" if strategy == "rebuild" else strategy, options["merge_duplicates"])

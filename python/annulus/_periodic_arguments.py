@@ -28,6 +28,14 @@ def plain(points: ArrayLike, name: str = "points") -> np.ndarray[typing.Any, typ
         return _arguments.array_of(points, name)
 
 
+def choice_in_box(name: str, value: object, choices: tuple[str, ...], elsewhere: tuple[str, ...]) -> str:
+    """One of the strings that there are in a box. Others, which there are without one, are not available."""
+    if isinstance(value, str) and value in elsewhere and value not in choices:
+        raise NotAvailableError(f"{name}={value!r} is not available with a periodic box: {name} must be "
+                                f"{_arguments.one_of(choices)}")
+    return _arguments.choice(name, value, choices)
+
+
 def refuse_clip(clip: object) -> None:
     """`MovingDelaunay` has this argument, so it may be None here, too."""
     if clip is not None:

@@ -31,7 +31,9 @@ namespace {
 
 Periodic_strategy strategy_of(const std::string& name) {
     const auto strategy = periodic_strategy_named(name);
-    if (!strategy) throw Error(Error_code::usage, "there is no strategy " + name + " in a periodic box");
+    if (!strategy)
+        throw Error(Error_code::usage,
+                    "strategy '" + name + "' is none in a periodic box; there are auto, signs and tolerances");
     return *strategy;
 }
 

@@ -169,6 +169,47 @@ def test_what_is_said(case, arguments, words):
     assert complaint(call, {**right, **arguments}) == words
 
 
+ALL = annulus._arguments.STRATEGIES
+IN_BOX = {"MovingDelaunay": ("auto", "signs", "tolerances", "rebuild"),
+          "PeriodicDelaunay": ("auto", "signs", "tolerances")}
+
+
+@pytest.mark.parametrize("strategy", [*ALL, "signs", "best", None])
+@pytest.mark.parametrize("kind", list(IN_BOX))
+def test_strategies_that_there_are_in_a_box(kind, strategy):
+    """Those are taken, and named to whoever gives another one."""
+    def made():
+        return getattr(annulus, kind)(X, box=[9] * X.shape[1], strategy=strategy)
+
+    there = IN_BOX[kind]
+    if strategy in there:
+        assert made().strategy == ("auto" if strategy == "rebuild" else strategy)
+        return
+    names = f"one of {', '.join(there[:-1])} or {there[-1]}"
+    with pytest.raises((annulus.Error, TypeError)) as caught:
+        made()
+    if strategy is None:
+        assert str(caught.value) == f"strategy must be a str, {names}; not None"
+    elif strategy in ALL and kind == "MovingDelaunay":
+        assert str(caught.value) == (f"strategy='{strategy}' is not available with a periodic box: strategy must be "
+                                     f"{names}")
+        assert caught.type is annulus.NotAvailableError
+    else:
+        assert str(caught.value) == f"strategy must be {names}; not '{strategy}'"
+
+
+@pytest.mark.parametrize(("tolerance", "words"), [
+    ("paper", "tolerance='paper' is not available with a periodic box: tolerance must be certified"),
+    ("floating", "tolerance='floating' is not available with a periodic box: tolerance must be certified"),
+    ("exact", "tolerance must be certified; not 'exact'"),
+    (3, "tolerance must be a str, certified; not 3 (int)"),
+])
+def test_tolerances_in_a_box_are_certified(tolerance, words):
+    with pytest.raises((annulus.Error, TypeError)) as caught:
+        annulus.MovingDelaunay(X, box=[9] * X.shape[1], tolerance=tolerance)
+    assert str(caught.value) == words
+
+
 def test_numbers_of_numpy_go_on_working():
     for kind in (np.int8, np.uint8, np.int32, np.uint64, np.int64):
         assert annulus.MovingDelaunay(X, threads=kind(2), seed=kind(3)).nvertices == 30

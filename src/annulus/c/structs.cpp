@@ -12,8 +12,13 @@ void choose(Value& value, const char* name, std::optional<Value> (*named)(std::s
     const std::optional<Value> found = named(name);
     if (!found)
         throw Refused(ANNULUS_USAGE, "there is no " + std::string(what) + " \"" + std::string(name).substr(0, 40) +
-                                         "\"; there are " + all);
+                                         "\"; there " + all);
     value = *found;
+}
+
+std::optional<Tolerance_kind> certified_named(std::string_view name) {
+    const std::optional<Tolerance_kind> kind = tolerance_kind_named(name);
+    return kind == Tolerance_kind::certified ? kind : std::nullopt;
 }
 
 /// What is given, as this version knows it.
@@ -31,10 +36,9 @@ annulus_options known_of(const annulus_options* given) {
     return known;
 }
 
-/// All but the strategy.
+/// All but the strategy and the kind of tolerance.
 Options others_of(const annulus_options& known) {
     Options options;
-    choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance", "certified, paper, floating");
     if (known.second_look != nullptr && std::string_view(known.second_look) != "off")
         throw Refused(ANNULUS_USAGE, "annulus_options.second_look is neither NULL nor \"off\"");
     if (known.threads != 0) options.threads = known.threads;  // Engine refuses what is below 1
@@ -48,24 +52,22 @@ Options others_of(const annulus_options& known) {
 
 Options options_of(const annulus_options* given) {
     const annulus_options known = known_of(given);
-    Strategy strategy = Options{}.strategy;
-    choose(strategy, known.strategy, strategy_named, "strategy",
-           "auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
     Options options = others_of(known);
-    options.strategy = strategy;
+    choose(options.strategy, known.strategy, strategy_named, "strategy",
+           "are auto, tolerances, tolerances-each, in-place, paper, paper-hybrid, relocate, relocate-flips, rebuild");
+    choose(options.tolerance, known.tolerance, tolerance_kind_named, "kind of tolerance",
+           "are certified, paper, floating");
     return options;
 }
 
 Periodic_options periodic_options_of(const annulus_options* given) {
     const annulus_options known = known_of(given);
-    Periodic_options options;
-    choose(options.strategy, known.strategy, periodic_strategy_named, "strategy in a periodic box",
-           "auto, signs, tolerances");
     const Options others = others_of(known);
-    if (others.tolerance != Options{}.tolerance)
-        throw Refused(ANNULUS_USAGE,
-                      "in a periodic box annulus_options may set threads, report_changes, "
-                      "merge_duplicates and strategy");
+    Periodic_options options;
+    Tolerance_kind tolerance{};
+    choose(options.strategy, known.strategy, periodic_strategy_named, "strategy in a periodic box",
+           "are auto, signs, tolerances");
+    choose(tolerance, known.tolerance, certified_named, "kind of tolerance in a periodic box", "is certified");
     options.merge_duplicates = others.merge_duplicates;
     options.threads = others.threads;
     options.report_changes = others.report_changes;
