@@ -82,8 +82,8 @@ class Periodic_mesh {
     using Point = Coordinates<d>;
 
     /// Points may be anywhere: any image of each. Throws not_finite; out_of_domain for a point more than 2^29 boxes
-    /// away; duplicate_point (unless options.merge_duplicates), naming two points that are, rounded, images of one
-    /// another; too_large; usage; environment; and what new throws.
+    /// away; duplicate_point (unless options.merge_duplicates), naming all points that are, rounded, images of one, the
+    /// lowest two of all that coincide among them; too_large; usage; environment; and what new throws.
     Periodic_mesh(std::span<const Point> points, const Box<d>& box, const Periodic_options& options = {});
     /// The mesh that was saved. Throws bad_input where a place is not on the grid of the box or not in it, an image is
     /// more than 2^29 boxes away, or there are not as many images as places; and what the other constructor throws.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/periodic_editor.h>
 
-#include <annulus/arithmetic/duplicate_point.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/engine/require_vertices.h>
 #include <annulus/error.h>
+#include <annulus/kernel/coinciding_images.h>
+#include <annulus/space/least_image.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -31,30 +35,32 @@ constexpr std::size_t points_an_insertion = 8, points_a_removal = 12;
                                                  " to be inserted have, up to vectors of the box, the same position");
 }
 
-/// Throws the error of several points to be inserted at these indices: some of these vertices, two or more, are at one
-/// place.
-[[noreturn]] void throw_coinciding(std::span<const std::int64_t> vertices, std::span<const Index> indices) {
-    std::vector<std::size_t> among;
-    for (const std::int64_t v : vertices) {
-        const auto k = std::find(indices.begin(), indices.end(), static_cast<Index>(v));
-        if (k == indices.end()) throw_taken(static_cast<Index>(v));
-        among.push_back(static_cast<std::size_t>(k - indices.begin()));
+/// Throws the error of points that were put at these indices, some of which coincide with vertices or with one another:
+/// that of the first one, as if they had been inserted one after the other.
+template <int d>
+[[noreturn]] void throw_first_taken(const Periodic_state<d>& state, std::span<const Index> indices) {
+    std::vector<std::size_t> number(state.place.size(), indices.size());
+    for (std::size_t k = 0; k < indices.size(); ++k) number[static_cast<std::size_t>(indices[k])] = k;
+    const auto image = [&](Index i) { return least_image<d>(state.lattice, state.place[static_cast<std::size_t>(i)]); };
+    std::map<Coordinates<d>, Index> at;
+    for (Index i = 0; static_cast<std::size_t>(i) < number.size(); ++i)
+        if (state.is_vertex(i) && number[static_cast<std::size_t>(i)] == indices.size()) at.emplace(image(i), i);
+    for (std::size_t k = 0; k < indices.size(); ++k) {
+        const auto [there, is_first] = at.emplace(image(indices[k]), indices[k]);
+        if (is_first) continue;
+        const std::size_t other = number[static_cast<std::size_t>(there->second)];
+        if (other == indices.size()) throw_taken(there->second);
+        throw_equal(other, k);
     }
-    throw_equal(among[0], among[1]);
+    throw std::logic_error("points that coincide are not found");
 }
 
-/// Throws the error of vertices that are to go to a place where another one is, naming all.
+/// Throws the error of vertices of which some come together.
 template <int d>
-[[noreturn]] void throw_together(Index there, const Coordinates<d>& place, std::span<const Vertex_move<d>> moves) {
-    std::vector<std::int64_t> together;
-    bool moves_there = false;
-    for (const Vertex_move<d>& m : moves) {
-        if (m.to.place != place) continue;
-        together.push_back(m.vertex);
-        moves_there = moves_there || m.vertex == there;
-    }
-    if (!moves_there) together.push_back(there);
-    throw duplicate_point_error("vertices", "have, up to vectors of the box,", std::move(together));
+[[noreturn]] void throw_together(const Periodic_state<d>& state, std::span<const Vertex_move<d>> moves) {
+    std::vector<Coordinates<d>> place = state.place;
+    for (const Vertex_move<d>& m : moves) place[static_cast<std::size_t>(m.vertex)] = m.to.place;
+    throw coinciding_images_error<d>(state.lattice, place);
 }
 
 }  // namespace
@@ -82,7 +88,7 @@ Index Periodic_editor<d>::insert_one(Periodic_state<d>& state, const Representat
     } catch (const Error& e) {
         state.undo_put(i, was_free);
         if (e.code() == Error_code::duplicate_point && e.vertices().size() > 1)  // of the build
-            throw_coinciding(e.vertices(), std::span(&i, 1));
+            throw_taken(static_cast<Index>(e.vertices()[e.vertices()[0] == i ? 1 : 0]));
         throw;
     } catch (...) {
         state.undo_put(i, was_free);
@@ -104,7 +110,7 @@ std::vector<Index> Periodic_editor<d>::insert_at_once(Periodic_state<d>& state,
         build(state);
     } catch (const Error& e) {
         if (e.code() != Error_code::duplicate_point) throw;
-        throw_coinciding(e.vertices(), indices);
+        throw_first_taken<d>(state, indices);
     }
     return indices;
 }
@@ -182,8 +188,8 @@ bool Periodic_editor<d>::reinsert(Periodic_state<d>& state, std::span<const Vert
         const bool stayed = stays(m);
         state.set(m.vertex, m.to);
         if (stayed) continue;
-        const auto [outcome, there] = inserter_.insert(scene, m.vertex);
-        if (outcome == taken) throw_together<d>(there, m.to.place, moves);
+        const Periodic_insertion::Outcome outcome = inserter_.insert(scene, m.vertex).outcome;
+        if (outcome == taken) throw_together(state, moves);
         if (outcome != done) return false;
     }
     return true;

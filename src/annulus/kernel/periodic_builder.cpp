@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/kernel/periodic_builder.h>
 
-#include <annulus/arithmetic/duplicate_point.h>
 #include <annulus/arithmetic/limits.h>
 #include <annulus/kernel/builder.h>
+#include <annulus/kernel/coinciding_images.h>
 #include <annulus/kernel/periodic_proof.h>
 #include <annulus/mesh/corner_table.h>
 #include <annulus/predicate/sphere_terms.h>
@@ -80,7 +80,8 @@ struct Periodic_builder<d>::Work {
     };
 
     void copy_into(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, const Coordinates<d>& collar);
-    [[nodiscard]] bool triangulate_copies(int threads);
+    [[nodiscard]] bool triangulate_copies(const Lattice<d>& lattice, std::span<const Coordinates<d>> place,
+                                          int threads);
     /// False where the kept cells do not fit together.
     [[nodiscard]] bool keep_one_of_each(const Lattice<d>& lattice, bool by_centre, Periodic_table<d>& table);
     /// Whether the circumcentre is in the basis' cell: true of one translate of a cell at most, and where all are among
@@ -135,7 +136,7 @@ void Periodic_builder<d>::build(const Lattice<d>& lattice, std::span<const Coord
         }
         work.copy_into(lattice, place, collar);
         copies_ = work.copy.size();
-        if (work.triangulate_copies(threads) && work.keep_one_of_each(lattice, !widest, table) &&
+        if (work.triangulate_copies(lattice, place, threads) && work.keep_one_of_each(lattice, !widest, table) &&
             is_proved_delaunay(table, lattice, place, threads))
             return;
         if (widest) throw std::logic_error("a periodic triangulation was not proved: please report this");
@@ -182,18 +183,15 @@ void Periodic_builder<d>::Work::copy_into(const Lattice<d>& lattice, std::span<c
 
 /// False where the copies are in a hyperplane.
 template <int d>
-bool Periodic_builder<d>::Work::triangulate_copies(int threads) {
+bool Periodic_builder<d>::Work::triangulate_copies(const Lattice<d>& lattice, std::span<const Coordinates<d>> place,
+                                                   int threads) {
     numbers.resize(copy.size());
     std::iota(numbers.begin(), numbers.end(), Index{0});
     try {
         if (!builder.build(copy, numbers, threads)) return false;
     } catch (const Error& e) {
         if (e.code() != Error_code::duplicate_point || e.vertices().empty()) throw;
-        const Coordinates<d>& place = copy[static_cast<std::size_t>(e.vertices().front())];
-        std::vector<std::int64_t> vertices;
-        for (std::size_t k = 0; k < copy.size(); ++k)
-            if (copy[k] == place) vertices.push_back(image[k].vertex);
-        throw duplicate_point_error("points", "have, up to vectors of the box,", std::move(vertices));
+        throw coinciding_images_error<d>(lattice, place);
     }
     builder.copy_to(cells, copy.size(), threads);
     return true;

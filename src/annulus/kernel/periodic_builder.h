@@ -35,10 +35,9 @@ class Periodic_builder {
     Periodic_builder& operator=(const Periodic_builder&) = delete;
 
     /// Triangulates the points at these places of the lattice, by at most this many threads; at NaN there is no point,
-    /// and the vertex is in no cell. Throws
-    /// Error(duplicate_point), naming two vertices whose places differ by a vector of the lattice, Error(too_large),
-    /// bad_alloc; the table is then unspecified. Expected O(n) for points that are not all on few spheres or curves;
-    /// docs/periodic.md has what it costs.
+    /// and the vertex is in no cell. Throws coinciding_images_error, Error(too_large), bad_alloc; the table is then
+    /// unspecified. Expected O(n) for points that are not all on few spheres or curves; docs/periodic.md has what it
+    /// costs.
     void build(const Lattice<d>& lattice, std::span<const Coordinates<d>> place, int threads, Periodic_table<d>& table);
     /// How many copies the last build triangulated, and how many it tried.
     [[nodiscard]] std::size_t copies() const { return copies_; }
