@@ -55,14 +55,18 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
     const double most = Rebuild_policy<d>::step_limit(mesh_.vertices());
     const bool was_complete = slices_.complete();
     // Later stages may cost fifty times as much as the filter, which is not known beforehand. So it is made in parts,
-    // each of which costs a quarter of a rebuild even if all of it is decided exactly.
+    // each of which costs a quarter of a rebuild even if all of it is decided exactly, and as many of the next one as
+    // there is room for if they cost what the most expensive part has cost.
     const double part = Rebuild_policy<d>::rebuild_cost(mesh_.vertices()) / (4.0 * exact_evaluation_cost);
     const double place = Cost_model<d>::recomputation * n / static_cast<double>(slices_.all());
-    for (double& cost = report.statistics.cost; !slices_.complete() && cost + place <= most;) {
-        const auto slice = slices_.take(std::clamp((most - cost) / place, 1.0, std::max(part, 1.0)));
-        cost += place * static_cast<double>(slice.second - slice.first);
+    double most_each = place;
+    for (double& cost = report.statistics.cost; !slices_.complete() && cost + most_each <= most;) {
+        const auto slice = slices_.take(std::clamp((most - cost) / most_each, 1.0, std::max(part, 1.0)));
         const Stage_counts counts = evaluate_slice(slices_.positions(), slices_.facets(), slice, report);
-        cost += Certificate_checker<d>::later_cost(counts);
+        const auto taken = static_cast<double>(slice.second - slice.first);
+        const double paid = place * taken + Certificate_checker<d>::later_cost(counts);
+        cost += paid;
+        most_each = std::max(most_each, paid / taken);
     }
     if (!slices_.complete()) return;
     if (finish_slices(most - report.statistics.cost, report)) slices_.end();
