@@ -181,7 +181,7 @@ void expect_changes(const Periodic_mesh<d>& mesh, const Seen<d>& seen, int sign,
 /// The vector of the lattice, in these, that is nearest to where `f` vectors lead.
 template <int d>
 Shift<d> nearest(const typename Box<d>::Vectors& vectors, const Coordinates<d>& f) {
-    constexpr std::int32_t most = d == 2 ? 12 : 5;
+    constexpr std::int32_t most = 12;
     Shift<d> best{}, s;
     double least = -1;
     s.fill(-most);

@@ -60,7 +60,7 @@ void expect_budget_kept(std::size_t n, double large) {
     Periodic_cases cases(n);
     const Positions<d> x = cases.points<d>(cube<d>(1), n, 1);
     const double build = cost_of_build<d>(x), limit = 8000 + build;
-    const double copies = build / (d == 2 ? 25 : 60);
+    const double copies = build / (d == 2 ? 36 : 80);
     CHECK(copies == std::floor(copies));
     CHECK(copies >= static_cast<double>(n));
     double most_repaired = 0;

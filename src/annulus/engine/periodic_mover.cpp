@@ -88,7 +88,7 @@ template <int d>
 Move_result Periodic_mover<d>::move(Periodic_state<d>& state, Periodic_state<d> next) {
     // What a build costs, a copy of a point, in the unit of cost_model.h. Flips of cells with offsets take two to four
     // times what that model says, so it is less than for builds without.
-    constexpr double copy = d == 2 ? 25 : 60;
+    constexpr double copy = d == 2 ? 36 : 80;
     const std::size_t n = next.vertices();
     const bool kept = tolerances_.kept();
     Budget budget{small_build + copy * static_cast<double>(builder_.copies())};
