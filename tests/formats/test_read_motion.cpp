@@ -219,6 +219,26 @@ TEST_CASE("points of a frame at one place are refused or merged", "[io][motion]"
         Error_code::out_of_domain);
 }
 
+TEST_CASE("images of one another in a frame are merged in its box", "[io][motion]") {
+    const Box<2> box({{{1, 0}, {0.25, 2}}});
+    Frame_points<2> frame{
+        .id = {1, 4, 5, 7, 8}, .x = {{0.5, 0.5}, {0.75, 2.5}, {1e9, 0}, {-0.5, 0.5}, {0.5, 1}}, .merged = 2};
+    const Frame_points<2> before = frame;
+    try {
+        merge_images(frame, box);
+        FAIL("a point far from the box");
+    } catch (const Error& error) {
+        CHECK(error.code() == Error_code::out_of_domain);
+        CHECK((error.vertices().size() == 1 && error.vertices()[0] == 2));
+    }
+    CHECK((frame.id == before.id && frame.x == before.x && frame.merged == before.merged));
+    frame.x[2] = {0.5 + 0x1p-53, 0.5 - 0x1p-54};  // the same after rounding
+    merge_images(frame, box);
+    CHECK(frame.id == Numbers{1, 8});
+    CHECK(frame.x == std::vector<Coordinates<2>>{{0.5, 0.5}, {0.5, 1}});
+    CHECK(frame.merged == 5);
+}
+
 TEST_CASE("motions are read in capitals, packed, and with their header behind a #", "[io][motion]") {
     CHECK(accept("A.XYZ", "1\n\n1 2\n").frames.size() == 1);
     CHECK(accept("A.CSV.gz", gzip("Frame,ID,X,Y\n1,2,3,4\n")).frames[0].position == Points_3{{3, 4, 0}});

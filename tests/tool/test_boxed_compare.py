@@ -86,6 +86,7 @@ class BoxedCompare(boxed.BoxedTest):
         self.lattice_xyz("a.xyz", [{1: [0.5, 0.5], 2: [0.25, 0.5]}, {1: [0.5, 0.5], 2: [1.5, 0.5]}], [square] * 2)
         self.assertIn("a.xyz:7: in frame 1 the points of ids 1, 2 are at one place of the periodic box",
                       self.refuse(3, "compare", "--", "replay", "a.xyz"))
+        self.compare("replay", "a.xyz", "--coincident", "merge", strategies=("auto", "rebuild", "signs"))
         self.assertIn("--open and --box exclude each other",
                       self.refuse(2, "compare", "--", "replay", "a.xyz", "--box", "1,1", "--open"))
         lloyd = ("compare", "--", "lloyd", "--points", 20, "--box")

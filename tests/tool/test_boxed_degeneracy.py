@@ -140,13 +140,36 @@ class BoxedDegeneracy(boxed.BoxedTest):
         self.assertAlmostEqual(least / result["mean_spacing"], result["tolerance"]["certified"]["quantiles"]["0"],
                                delta=1e-12)
 
+    def test_images_of_one_another_are_merged(self):
+        """The point that comes first stands for them; certificates are named by it."""
+        points = [(0.25, 0.5), (2.25, -0.5), (0.25, 0.5), (0.75, 0.625), (0.5, 0.125)]
+        self.xyz("a.xyz", points)
+        done = self.succeed("degeneracy", "a.xyz", "--box", "1,1", "--output", "out", "--raw", "raw.csv")
+        self.assertEqual(done.stderr, "annulus: a.xyz: merged 2 duplicate points\n")
+        found = json.loads((self.here / "out" / "degeneracy.json").read_text(encoding="utf-8"))
+        self.assertEqual((found["points"], found["merged"], found["vertices"]), (5, 2, 3))
+        with open(self.here / "raw.csv", newline="", encoding="utf-8") as file:
+            named = {row[k] for row in csv.DictReader(file) for k in row if k.startswith("point") and row[k]}
+        self.assertEqual(named, {"0", "3", "4"})
+        self.xyz("b.xyz", points[:1] + points[3:])
+        alone = self.study("b.xyz", "--box", "1,1")
+        for key in ("bicells", "cells", "tolerance", "mean_spacing", "resolution"):
+            self.assertEqual(found[key], alone[key])
+        frame = "{}\nLattice=\"1 0 0 0 1 0 0 0 1\" Properties=id:I:1:pos:R:3\n"
+        self.write("c.xyz", frame.format(3) + "7 0 0 0\n9 1 2 0\n8 .5 .25 0\n" + frame.format(1) + "9 0 0 0\n")
+        self.assertIn("merged 1 duplicate point\n", self.succeed("degeneracy", "c.xyz", "--frame", 0).stderr)
+        self.succeed("degeneracy", "c.xyz", "--every", 1, "--output", "out", "--force")
+        with open(self.here / "out" / "degeneracy.csv", newline="", encoding="utf-8") as file:
+            self.assertEqual([(row["points"], row["merged"]) for row in csv.DictReader(file)],
+                             [("3", "1"), ("1", "0")])
+
     def test_what_is_refused(self):
-        self.xyz("a.xyz", [(0, 0), (0.5, 0.25), (2, 1)])
-        self.assertIn("a.xyz:3: the point is at the place of another in the periodic box; expected points that differ",
-                      self.refuse(3, "degeneracy", "a.xyz", "--box", "1,1", "--output", "out", "--raw", "raw.csv"))
-        self.write("b.xyz", '2\nLattice="1 0 0 0 1 0 0 0 1" Properties=id:I:1:pos:R:3\n7 0 0 0\n9 1 2 0\n')
+        self.xyz("a.xyz", [(0, 0), (0.5, 0.25), (1e11, 1)])
+        self.assertRegex(self.refuse(3, "degeneracy", "a.xyz", "--box", "1,1", "--output", "out", "--raw", "raw.csv"),
+                         "a.xyz:3: .*; expected a point nearer to the box")
+        self.write("b.xyz", '2\nLattice="1 0 0 0 1 0 0 0 1" Properties=id:I:1:pos:R:3\n7 0 0 0\n9 1e11 2 0\n')
         for words in ((), ("--frame", 0), ("--every", 1, "--quiet")):
-            self.assertRegex(self.refuse(3, "degeneracy", "b.xyz", *words), r"b.xyz:[34]: .*periodic box")
+            self.assertRegex(self.refuse(3, "degeneracy", "b.xyz", *words), r"b.xyz:[34]: .*a point nearer to the box")
         for words, said in ((["--box", "1,1", "--open"], "--open and --box exclude each other"),
                             (["--box", "1,x"], "'x' is not a number"),
                             (["--box", "1,1,1"], "--box has 3 numbers, and a box in 2D has 2 lengths or 4"),

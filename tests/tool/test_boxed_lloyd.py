@@ -175,9 +175,22 @@ class BoxedLloyd(frames.FrameTest):
                               ("1,1,0", "--box: the vectors of the box")):
             self.assertIn(what, self.refuse(2, "lloyd", "--points", 20, "--box", numbers))
         self.assertIn("say how many points", self.refuse(2, "lloyd", "--box", "1,1"))
-        self.xyz("a.xyz", [(0, 0), (0.5, 0.25), (2, 1)])
-        self.assertIn("a.xyz:3: the point is at the place of another in the periodic box",
-                      self.refuse(3, "lloyd", "--input", "a.xyz", "--box", "1,1"))
+        self.xyz("a.xyz", [(0, 0), (0.5, 0.25), (1e11, 1)])
+        self.assertRegex(self.refuse(3, "lloyd", "--input", "a.xyz", "--box", "1,1"),
+                         "a.xyz:3: .*; expected a point nearer to the box")
+
+    def test_images_of_one_another_are_merged(self):
+        self.xyz("a.xyz", [(0, 0), (0.5, 0.25), (2, 1), (0.5, 0.25), (0.375, 0.75)])
+        self.xyz("b.xyz", [(0, 0), (0.5, 0.25), (0.375, 0.75)])
+        for name, words, said in (("a.xyz", ("lloyd",), "annulus: a.xyz: merged 2 duplicate points\n"),
+                                  ("b.xyz", ("lloyd",), ""),
+                                  ("a.xyz", ("compare", "--", "lloyd"),
+                                   "annulus: a.xyz: merged 2 duplicate points\n")):
+            files = () if "--" in words else ("--output", name[0])
+            done = self.succeed(*words, "--input", name, "--box", "1,1", "--iterations", 3, "--audit", 1, *files)
+            self.assertEqual(done.stderr, said)
+        self.assertEqual(self.summary("a")["vertices"], 3)
+        self.assertEqual((self.here / "a" / "final.mesh").read_bytes(), (self.here / "b" / "final.mesh").read_bytes())
 
     def test_the_box_of_a_file_is_replaced(self):
         self.write("a.xyz", '2\nLattice="9 0 0 0 9 0 0 0 9" Properties=pos:R:3\n0.25 0.5 0\n0.5 0.625 0\n')

@@ -7,6 +7,7 @@ import itertools
 import math
 import random
 import shutil
+from fractions import Fraction
 
 import boxed
 import frames
@@ -171,6 +172,85 @@ class Boxed(boxed.BoxedTest):
                 for i, (volume, count) in frame.items():
                     self.assertAlmostEqual(volume, results[0][0][f][i][0], delta=1e-8)
                     self.assertEqual(count, results[0][0][f][i][1])
+
+
+class Coincident(boxed.BoxedTest):
+    def merged(self, motion, boxes, *words):
+        """Beside the same motion without the points that are at the place of one of a smaller id, in rationals: replay
+        writes the same. Returns what it prints, and the number of points left out."""
+        apart = []
+        for frame, box in zip(motion, boxes):
+            seen, kept = set(), {}
+            for i in sorted(frame):
+                place = tuple(c % 1 for c in self.shares(frame[i], box))
+                if place not in seen:
+                    kept[i] = frame[i]
+                seen.add(place)
+            apart.append(kept)
+        self.lattice_xyz("together.xyz", motion, boxes)
+        self.lattice_xyz("apart.xyz", apart, boxes)
+        common = ("--dim", len(boxes[0]), "--voronoi", "--neighbors", "--changes", "--audit", 1, *words)
+        done = self.succeed("replay", "together.xyz", "--coincident", "merge", *common, "--output", "out", "--force")
+        self.succeed("replay", "apart.xyz", *common, "--output", "apart", "--force")
+        for name in ("voronoi.csv", "pairs.csv", "changes.csv", "final.mesh"):
+            self.assertEqual(*((self.here / there / name).read_bytes() for there in ("out", "apart")), name)
+        ways = [[row["displacement_mean"] for row in self.table(there, "iterations.csv")] for there in ("out", "apart")]
+        self.assertEqual(*ways)
+        self.assertEqual(self.summary("out")["audit"], {"checked": len(motion) - 1, "failed": 0})
+        self.assertEqual(self.summary("out")["vertices"], len(apart[-1]))
+        self.assertEqual(done.stderr, "")
+        return done.stdout, sum(map(len, motion)) - sum(map(len, apart))
+
+    @staticmethod
+    def shares(point, box):
+        """Coordinates in the vectors of the box, by Cramer's rule in rationals."""
+        rows, p = [[Fraction(c) for c in v] for v in box], [Fraction(c) for c in point]
+        whole = frames.determinant(rows)
+        return [frames.determinant([p if j == k else v for j, v in enumerate(rows)]) / whole for k in range(len(rows))]
+
+    def test_images_of_one_another_are_merged_and_come_apart(self):
+        """Also where the last bits of images differ, which the grid of the box does not."""
+        apart = {1: [0.1, 0.1], 2: [0.6, 0.2], 3: [0.2, 0.7], 4: [0.7, 0.6]}
+        met = {**apart, 3: [1.6, -0.8], 4: [0.6, 0.2]}
+        box = [[[1, 0], [0, 1]]] * 3
+        self.lattice_xyz("a.xyz", [apart, met, apart], box)
+        said = "in frame 1 the points of ids 2, 3 are at one place of the periodic box; expected points that differ, "
+        self.lattice_xyz("b.xyz", [apart, {**apart, 3: [1.6, -0.8]}, apart], box)
+        self.assertIn(said + "or --coincident merge", self.refuse(3, "replay", "b.xyz"))
+        for strategy in ("auto", "rebuild", "signs", "tolerances"):
+            done = self.succeed("replay", "a.xyz", "--coincident", "merge", "--strategy", strategy, "--voronoi",
+                                "--output", "out", "--force")
+            line = "2 points appeared, 2 disappeared, 2 merged with others at their place."
+            self.assertIn(f"points         {line}\n", done.stdout)
+            self.assertIn(line, (self.here / "out" / "report.html").read_text(encoding="utf-8"))
+            self.assertEqual([sorted(frame) for frame in self.voronoi().values()], [[1, 2, 3, 4], [1, 2], [1, 2, 3, 4]])
+        self.lattice_xyz("c.xyz", [met, apart], box)  # from the first frame on
+        done = self.succeed("replay", "c.xyz", "--coincident", "merge", "--audit", 1)
+        self.assertIn("2 points appeared, 0 disappeared, 2 merged", done.stdout)
+        done = self.succeed("replay", "a.xyz", "--open", "--coincident", "merge", "--quiet")
+        self.assertEqual(done.stderr, "")
+
+    def test_a_motion_with_coincident_points_is_that_without_them(self):
+        """Few places, in any image, in boxes that are skewed and change; points come and go."""
+        dice = random.Random(tool.SEED)
+        for d, fine, strategy in itertools.product((2, 3), (2, 4), ("auto", "signs")):
+            with self.subTest(d=d, fine=fine, strategy=strategy):
+                boxes = [[[float(j == k) + (k > j) * f / 8 for j in range(d)] for k in range(d)] for f in range(4)]
+                motion = []
+                for box in boxes:
+                    turns = lambda: [dice.randrange(-9, 12) / fine for _ in range(d)]
+                    motion.append({i: boxed.added([0.0] * d, turns(), box) for i in dice.sample(range(20), 12)})
+                said, merged = self.merged(motion, boxes, "--strategy", strategy)
+                self.assertIn(f" disappeared, {merged} merged with others", said)
+        with self.subTest("a frame without points"):
+            self.merged([{1: [0.0, 0.0], 2: [1.0, 2.0]}, {}, {1: [0.5, 0.5], 3: [0.5, -0.5], 4: [0.0, 0.0]}],
+                        [[[1, 0], [0, 1]]] * 3)
+
+    def test_points_too_far_away_are_refused_by_name(self):
+        self.lattice_xyz("a.xyz", [{1: [0.5, 0.5]}, {1: [0.5, 0.5], 2: [1e11, 0.25]}], [[[1, 0], [0, 1]]] * 2)
+        for choice in ("refuse", "merge"):
+            line = self.refuse(3, "replay", "a.xyz", "--coincident", choice)
+            self.assertRegex(line, r"a.xyz:7: in frame 1 the point of id 2: .*; expected a point nearer to the box")
 
 
 class Open(frames.FrameTest):

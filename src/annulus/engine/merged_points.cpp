@@ -9,6 +9,12 @@
 namespace annulus::inline v1 {
 
 template <int d>
+std::vector<Coordinates<d>> least_images(const Lattice<d>& lattice, std::vector<Coordinates<d>> place) {
+    for (Coordinates<d>& p : place) p = least_image<d>(lattice, p);
+    return place;
+}
+
+template <int d>
 Merged_points<d> merged_points(const Lattice<d>& lattice, std::span<const Coordinates<d>> points,
                                std::span<const Coordinates<d>> place) {
     Merged_points<d> merged;
@@ -23,6 +29,8 @@ Merged_points<d> merged_points(const Lattice<d>& lattice, std::span<const Coordi
     return merged;
 }
 
+template std::vector<Coordinates<2>> least_images(const Lattice<2>&, std::vector<Coordinates<2>>);
+template std::vector<Coordinates<3>> least_images(const Lattice<3>&, std::vector<Coordinates<3>>);
 template Merged_points<2> merged_points(const Lattice<2>&, std::span<const Coordinates<2>>,
                                         std::span<const Coordinates<2>>);
 template Merged_points<3> merged_points(const Lattice<3>&, std::span<const Coordinates<3>>,

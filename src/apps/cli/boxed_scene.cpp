@@ -7,7 +7,6 @@
 #include <apps/motion/boxed_points.h>
 #include <apps/motion/periodic_lloyd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -40,7 +39,7 @@ Boxed_scene<d> Boxed_scene<d>::made_of(const Lloyd_arguments& a, const std::stri
         return scene;
     }
     scene.file = read_points<d>(a.input, {.ignore_z = a.ignore_z, .format = a.format, .box = {.replaced = true}});
-    scene.points = distinct_points(*scene.file, 1);
+    scene.points = distinct_points(*scene.file, 1, &scene.box).x;
     scene.merged = scene.file->points.size() - scene.points.size();
     return scene;
 }
@@ -59,12 +58,7 @@ double Boxed_scene<d>::spacing() const {
 
 template <int d>
 Boxed_mesh<d> Boxed_scene<d>::mesh(const Options& options) const {
-    try {
-        return Boxed_mesh<d>(ids(), points, box, options);
-    } catch (const Error& error) {
-        if (error.vertices().empty() || !file) throw;
-        throw fault_in_box<d>(error, *file, points);
-    }
+    return Boxed_mesh<d>(ids(), points, box, options);
 }
 
 template <int d>

@@ -19,7 +19,7 @@ void add_lloyd_box(CLI::App& app, std::string& box);
 /// Throws Error(usage) for arguments of Lloyd iterations that are for open boundaries only.
 void require_boxed(const Lloyd_arguments& arguments);
 
-/// Points of Lloyd iterations in a periodic box, distinct as they are given, and how the file was interpreted.
+/// Points of Lloyd iterations in a periodic box, no two images of one another, and how the file was interpreted.
 template <int d>
 struct Boxed_scene {
     Box<d> box;
@@ -34,7 +34,7 @@ struct Boxed_scene {
     [[nodiscard]] std::vector<std::uint64_t> ids() const;
     /// The d-th root of the volume of the box per point.
     [[nodiscard]] double spacing() const;
-    /// The triangulation of the points; its errors name points of the file.
+    /// The triangulation of the points.
     [[nodiscard]] Boxed_mesh<d> mesh(const Options& options) const;
     [[nodiscard]] Input_record input() const;
 };

@@ -8,7 +8,6 @@
 #include <apps/cli/progress.h>
 #include <apps/cli/replay_scene.h>
 #include <apps/cli/result_files.h>
-#include <apps/formats/distinct.h>
 #include <apps/formats/read_points.h>
 #include <apps/formats/text_output.h>
 #include <apps/formats/write_csv.h>
@@ -58,23 +57,14 @@ std::pair<std::optional<Box<d>>, std::string> box_of_points(const Degeneracy_cal
 template <int d>
 Degeneracy_record study(const Degeneracy_call& a, const Point_file<d>& file) {
     const auto [box, box_from] = box_of_points<d>(a, file);
-    const std::vector<Coordinates<d>> x = distinct_points(file, box ? 1 : 2);
-    std::vector<std::uint64_t> place;  // for each distinct point, its index in the file
-    const auto first = first_at_place<d>(file.points);
-    for (std::size_t i = 0; i < first.size(); ++i)
-        if (first[i] == i) place.push_back(i);
-    try {
-        Degeneracy_record r = study_points<d>({file.name, x, place, {}, box}, a.study());
-        r.points = file.points.size();
-        r.input = input_of(file);
-        r.input.box_from = box_from;
-        if (box)
-            for (const auto& vector : box->vectors()) r.input.box.emplace_back(vector.begin(), vector.end());
-        return r;
-    } catch (const Error& error) {
-        if (error.vertices().empty()) throw;
-        throw fault_in_box<d>(error, file, x);
-    }
+    const auto [x, index] = distinct_points(file, box ? 1 : 2, box ? &*box : nullptr);
+    Degeneracy_record r = study_points<d>({file.name, x, index, {}, box}, a.study());
+    r.points = file.points.size();
+    r.input = input_of(file);
+    r.input.box_from = box_from;
+    if (box)
+        for (const auto& vector : box->vectors()) r.input.box.emplace_back(vector.begin(), vector.end());
+    return r;
 }
 
 template <int d>
@@ -82,16 +72,11 @@ Degeneracy_record study(const Degeneracy_call& a, const Opened_motion& motion, c
                         const Frame_points<d>& frame) {
     std::optional<Box<d>> box;
     if (motion.periodic) box = frames.box();
-    try {
-        Degeneracy_record r =
-            study_points<d>({motion.reader.name(), frame.x, frame.id, motion.reader.ids(), box}, a.study());
-        r.points = frame.x.size() + frame.merged;
-        r.input = frames.input(motion);
-        return r;
-    } catch (const Error& error) {
-        if (error.vertices().empty()) throw;
-        frames.fail(error, frame);
-    }
+    Degeneracy_record r =
+        study_points<d>({motion.reader.name(), frame.x, frame.id, motion.reader.ids(), box}, a.study());
+    r.points = frame.x.size() + frame.merged;
+    r.input = frames.input(motion);
+    return r;
 }
 
 bool is_degeneracy(std::string_view name) {

@@ -17,7 +17,7 @@ namespace annulus::inline v1::cli {
 /// Each threshold as text, for example "1e-4", and as a number. Throws Error(usage).
 [[nodiscard]] std::vector<std::pair<std::string, double>> thresholds_of(const std::vector<std::string>& words);
 
-/// Points to study, distinct as they are given.
+/// Points to study, distinct; in a box no two images of one another.
 template <int d>
 struct Studied_points {
     std::string file;
@@ -32,7 +32,7 @@ struct Study_options {
     std::string raw{};                      ///< file for all certificates; none: empty
 };
 
-/// Triangulates the points, in their box, and counts what is degenerate. Throws Error, which may name points of x.
+/// Triangulates the points, in their box, and counts what is degenerate. Throws Error.
 template <int d>
 [[nodiscard]] Degeneracy_record study_points(const Studied_points<d>& points, const Study_options& options);
 

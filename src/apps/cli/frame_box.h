@@ -4,11 +4,9 @@
 #include <annulus/box.h>
 #include <apps/formats/given_box.h>
 #include <apps/formats/number_list.h>
-#include <apps/formats/read_points.h>
 #include <apps/motion/recorded_motion.h>
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,12 +14,6 @@ namespace annulus::inline v1::cli {
 
 /// The numbers of --box: d lengths, or d vectors one after the other, separated by commas. Throws Error(usage).
 [[nodiscard]] inline std::vector<double> parse_box(const std::string& words) { return parse_numbers("--box", words); }
-
-/// The error of a triangulation in a box that names points of x, which are those of the file: as a fault of the last
-/// of them. O(n).
-template <int d>
-[[nodiscard]] Input_error fault_in_box(const Error& error, const Point_file<d>& file,
-                                       std::span<const Coordinates<d>> x);
 
 /// The boxes of the frames of a periodic motion, one after the other.
 template <int d>
@@ -47,7 +39,5 @@ class Frame_boxes {
 
 extern template class Frame_boxes<2>;
 extern template class Frame_boxes<3>;
-extern template Input_error fault_in_box<2>(const Error&, const Point_file<2>&, std::span<const Coordinates<2>>);
-extern template Input_error fault_in_box<3>(const Error&, const Point_file<3>&, std::span<const Coordinates<3>>);
 
 }  // namespace annulus::inline v1::cli

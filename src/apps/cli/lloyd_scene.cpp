@@ -199,7 +199,7 @@ Lloyd_scene make_scene(const Lloyd_arguments& a, std::uint64_t seed) {
     }
     const Point_file<2> file =
         read_points<2>(a.input, {.ignore_z = a.ignore_z, .format = a.format, .box = {.ignored = a.open}});
-    std::vector<Coordinates<2>> points = distinct_points(file, 3);
+    std::vector<Coordinates<2>> points = distinct_points(file, 3).x;
     for (std::size_t i = 0; domain && i < file.points.size(); ++i)
         if (!domain->contains(file.points[i]))
             throw file.fault(i, Error_code::out_of_domain, "point outside the domain",

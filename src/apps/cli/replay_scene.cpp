@@ -79,9 +79,10 @@ Replayed_frames<d>::Replayed_frames(Opened_motion& motion, const Replay_argument
     if (d == 2 && arguments.dimension == 0 && reader_.has_z()) z_ = frame_.position.front()[2];
     require_flat();
     boxes_.take(frame_, reader_.name());
-    if (boxes_.periodic()) first_box_ = box().vectors();
-    if (boxes_.periodic())
-        spacing_ = std::pow(box().volume() / static_cast<double>(std::max<std::size_t>(first_->x.size(), 1)), 1.0 / d);
+    if (!boxes_.periodic()) return;
+    first_box_ = box().vectors();
+    merge(*first_);
+    spacing_ = std::pow(box().volume() / static_cast<double>(std::max<std::size_t>(first_->x.size(), 1)), 1.0 / d);
 }
 
 template <int d>
@@ -111,7 +112,7 @@ void Replayed_frames<d>::fail(const Error& error, const Frame_points<d>& points)
     throw Input_error(error.code(), reader_.name(), frame_.line[places.front()],
                       duplicate ? frame + "the points of ids " + ids + " are at one place of the periodic box"
                                 : frame + "the point of id " + ids + ": " + error.what(),
-                      duplicate ? "points that differ" : "a point nearer to the box");
+                      duplicate ? "points that differ, or --coincident merge" : "a point nearer to the box");
 }
 
 /// Checks the z of later frames of a file that was taken for a 2D motion because of its first frame.
@@ -142,8 +143,16 @@ bool Replayed_frames<d>::next(Frame_points<d>& frame) {
         boxes_.take(frame_, reader_.name());
         box_changes_ = box_changes_ || (boxes_.periodic() && box().vectors() != first_box_);
         frame = points_of<d>(reader_.name(), frame_, coincident_, reader_.ids());
+        merge(frame);
     }
     return true;
+}
+
+/// Points that are images of one another, where coincident ones are to be merged.
+template <int d>
+void Replayed_frames<d>::merge(Frame_points<d>& points) const {
+    if (boxes_.periodic() && coincident_ == Coincident::merge && !points.x.empty())
+        with_faults(points, [&] { merge_images(points, box()); });
 }
 
 template class Replayed_frames<2>;

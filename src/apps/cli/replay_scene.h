@@ -58,8 +58,6 @@ class Replayed_frames {
     [[nodiscard]] const Box<d>& box() const { return boxes_.now(); }
     /// How the file was interpreted, up to where it has been read.
     [[nodiscard]] Input_record input(const Opened_motion& motion) const;
-    /// Throws Input_error for an error of the triangulation of this frame, the last one, that names vertices.
-    [[noreturn]] void fail(const Error& error, const Frame_points<d>& points) const;
     /// Calls a triangulation of this frame, the last one; its errors name points of the frame.
     template <class Call>
     auto with_faults(const Frame_points<d>& points, Call call) const {
@@ -79,7 +77,10 @@ class Replayed_frames {
     [[nodiscard]] const Motion_reader& reader() const { return reader_; }
 
   private:
+    /// Throws Input_error for an error that names points of this frame, the last one.
+    [[noreturn]] void fail(const Error& error, const Frame_points<d>& points) const;
     void require_flat() const;
+    void merge(Frame_points<d>& points) const;
 
     Motion_reader& reader_;
     Frame frame_;

@@ -68,7 +68,7 @@ Solid_scene solid_scene(const Solid_lloyd_call& a) {
     for (std::size_t i = 0; i < file.points.size(); ++i)
         if (!is_in(scene.box, file.points[i]))
             throw file.fault(i, Error_code::out_of_domain, "point outside the domain", "points in the box of --size");
-    scene.points = distinct_points(file, 1);
+    scene.points = distinct_points(file, 1).x;
     scene.merged = file.points.size() - scene.points.size();
     scene.input = input_of(file);
     return scene;

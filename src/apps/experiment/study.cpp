@@ -7,7 +7,7 @@
 #include <annulus/measure/periodic_degeneracy.h>
 #include <annulus/measure/spacing.h>
 #include <annulus/predicate/margin.h>
-#include <apps/experiment/distinct_in_box.h>
+#include <apps/formats/distinct.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,7 @@ Study study(std::vector<Coordinates<d>> x, std::uint64_t seed, Hard_inputs& hard
 template <int d>
 Study study_in_box(std::vector<Coordinates<d>> x, const Box<d>& box, std::uint64_t seed, Hard_inputs& hard,
                    int threads) {
-    x = distinct_in_box<d>(std::move(x), box);
+    keep_first(first_at_place<d>(x, box), x);
     Study s;
     s.vertices = x.size();
     Periodic_state<d> state(x, box);

@@ -170,7 +170,7 @@ void run_file(const Trial& t, Lines& lines) {
     const Read_options options{.ignore_z = t.dimension == 2, .box = box};
     const auto look = [&]<int d>(const Point_file<d>& file) {
         const std::optional<Box<d>> of_points = box_of_file<d>(t, file.box, file.name);
-        std::vector<Coordinates<d>> x = distinct_points(file, of_points ? 1 : 2);
+        std::vector<Coordinates<d>> x = distinct_points(file, of_points ? 1 : 2).x;
         const std::size_t merged = file.points.size() - x.size();
         lines.input(file.columns, file.ignored_box);
         lines.look<d>(Json::object(), std::move(x), merged, of_points);

@@ -5,6 +5,7 @@
 #include <apps/formats/input_error.h>
 
 #include <utility>
+#include <vector>
 
 namespace annulus::inline v1 {
 
@@ -42,6 +43,16 @@ Frame_points<d> points_of(const std::string& name, const Frame& frame, Coinciden
     return result;
 }
 
+template <int d>
+void merge_images(Frame_points<d>& points, const Box<d>& box) {
+    const std::vector<std::size_t> first = first_at_place<d>(points.x, box);
+    keep_first(first, points.id);
+    keep_first(first, points.x);
+    points.merged += first.size() - points.x.size();
+}
+
+template void merge_images(Frame_points<2>&, const Box<2>&);
+template void merge_images(Frame_points<3>&, const Box<3>&);
 template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident, const Point_ids&);
 template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident, const Point_ids&);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/box.h>
 #include <apps/formats/point_ids.h>
 #include <apps/motion/recorded_motion.h>
 
@@ -10,7 +11,7 @@
 
 namespace annulus::inline v1 {
 
-/// How to treat points at the same position in one frame.
+/// How to treat points at the same position, or in a periodic box at the same place of it, in one frame.
 enum class Coincident {
     refuse,  ///< an Input_error(duplicate_point)
     merge,   ///< keep the one with the least id; the others are absent from this frame
@@ -36,6 +37,14 @@ template <int d>
     return points_of<d>(name, frame, coincident, Point_ids());
 }
 
+/// Merges points of which one is an image of another, rounded to the grid of the box, as Coincident::merge does those
+/// at one position. Throws Error for a point more than 2^29 boxes away, which it names; then nothing has changed.
+/// O(n log n).
+template <int d>
+void merge_images(Frame_points<d>& points, const Box<d>& box);
+
+extern template void merge_images(Frame_points<2>&, const Box<2>&);
+extern template void merge_images(Frame_points<3>&, const Box<3>&);
 extern template Frame_points<2> points_of<2>(const std::string&, const Frame&, Coincident, const Point_ids&);
 extern template Frame_points<3> points_of<3>(const std::string&, const Frame&, Coincident, const Point_ids&);
 

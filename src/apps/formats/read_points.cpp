@@ -8,6 +8,7 @@
 #include <apps/formats/read_points.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace annulus::inline v1 {
 
@@ -81,27 +82,36 @@ std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const st
 }
 
 template <int d>
-std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least) {
-    std::vector<Coordinates<d>> x = file.points;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        for (double& c : x[i]) c += 0.0;  // no -0
-        if (!in_domain(x[i]))
+Distinct_points<d> distinct_points(const Point_file<d>& file, std::size_t at_least, const Box<d>* box) {
+    Distinct_points<d> points{file.points, std::vector<std::uint64_t>(file.points.size())};
+    std::iota(points.index.begin(), points.index.end(), std::uint64_t{0});
+    for (std::size_t i = 0; i < points.x.size(); ++i) {
+        for (double& c : points.x[i]) c += 0.0;  // no -0
+        if (!in_domain(points.x[i]))
             throw file.fault(i, Error_code::out_of_domain, "coordinate out of domain", "magnitudes of at most 2^500");
     }
-    const std::vector<std::size_t> first = first_at_place<d>(x);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        if (first[i] == i) x[kept++] = x[i];
-    x.resize(kept);
-    if (kept < at_least)
-        throw file.fault(file.points.size() - 1, Error_code::too_few, counted(kept, "distinct point") + " in the file",
+    const std::vector<std::size_t> first = [&] {
+        if (box == nullptr) return first_at_place<d>(points.x);
+        try {
+            return first_at_place<d>(points.x, *box);
+        } catch (const Error& error) {
+            if (error.vertices().empty()) throw;
+            throw file.fault(static_cast<std::size_t>(error.vertices().back()), error.code(), error.what(),
+                             "a point nearer to the box");
+        }
+    }();
+    keep_first(first, points.x);
+    keep_first(first, points.index);
+    if (points.x.size() < at_least)
+        throw file.fault(file.points.size() - 1, Error_code::too_few,
+                         counted(points.x.size(), "distinct point") + " in the file",
                          "at least " + std::to_string(at_least));
-    return x;
+    return points;
 }
 
 template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
 template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
-template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
-template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
+template Distinct_points<2> distinct_points<2>(const Point_file<2>&, std::size_t, const Box<2>*);
+template Distinct_points<3> distinct_points<3>(const Point_file<3>&, std::size_t, const Box<3>*);
 
 }  // namespace annulus::inline v1

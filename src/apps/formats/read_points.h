@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/box.h>
 #include <annulus/types.h>
 #include <apps/formats/input_error.h>
 #include <apps/formats/periodic_box.h>
@@ -60,14 +61,22 @@ template <int d>
 [[nodiscard]] std::variant<Point_file<2>, Point_file<3>> read_points_of_any_dimension(const std::filesystem::path& file,
                                                                                       const Read_options& options = {});
 
-/// The distinct points of a file in the order of their first occurrence; no -0. Throws Input_error for a point outside
-/// the domain of the library and for fewer than `at_least` distinct ones. O(n log n).
 template <int d>
-[[nodiscard]] std::vector<Coordinates<d>> distinct_points(const Point_file<d>& file, std::size_t at_least);
+struct Distinct_points {
+    std::vector<Coordinates<d>> x;     ///< no -0
+    std::vector<std::uint64_t> index;  ///< of each in the file
+};
+
+/// The distinct points of a file in the order of their first occurrence; in a periodic box those that are, rounded to
+/// its grid, images of one another are one. Throws Input_error for a point outside the domain of the library or too far
+/// from the box, and for fewer than `at_least` distinct ones. O(n log n).
+template <int d>
+[[nodiscard]] Distinct_points<d> distinct_points(const Point_file<d>& file, std::size_t at_least,
+                                                 const Box<d>* box = nullptr);
 
 extern template Point_file<2> read_points<2>(const std::filesystem::path&, const Read_options&);
 extern template Point_file<3> read_points<3>(const std::filesystem::path&, const Read_options&);
-extern template std::vector<Coordinates<2>> distinct_points<2>(const Point_file<2>&, std::size_t);
-extern template std::vector<Coordinates<3>> distinct_points<3>(const Point_file<3>&, std::size_t);
+extern template Distinct_points<2> distinct_points<2>(const Point_file<2>&, std::size_t, const Box<2>*);
+extern template Distinct_points<3> distinct_points<3>(const Point_file<3>&, std::size_t, const Box<3>*);
 
 }  // namespace annulus::inline v1
