@@ -2,6 +2,7 @@
 #include <annulus/engine/periodic_mover.h>
 
 #include <annulus/engine/cost_model.h>
+#include <annulus/space/nearest_shift.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,11 +44,9 @@ double squared_way(const Periodic_state<d>& state, const Vertex_move<d>& m) {
     const Coordinates<d> from = state.representative(m.vertex).place;
     Coordinates<d> way;
     for (std::size_t i = 0; i < d; ++i) way[i] = m.to.place[i] - from[i];
-    const Coordinates<d> boxes = state.lattice.in_basis(way);
-    for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t i = 0; i < d; ++i) way[i] -= std::nearbyint(boxes[j]) * state.lattice.basis()[j][i];
+    const Coordinates<d> nearest = nearest_vector<d>(state.lattice, way);
     double squared = 0;
-    for (const double w : way) squared += w * w;
+    for (std::size_t i = 0; i < d; ++i) squared += (way[i] - nearest[i]) * (way[i] - nearest[i]);
     return squared;
 }
 

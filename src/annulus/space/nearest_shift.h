@@ -14,10 +14,11 @@
 
 namespace annulus::inline v1 {
 
-/// The vector of the lattice that is nearest to v, in the vectors of the box; of several, one. The nearest one to 0 of
-/// the vectors that remain of v has coordinates of 1.25 at most in the basis (Lattice::reach).
+/// The vector of the lattice that is nearest to v; of several, one. The nearest one to 0 of the vectors that remain of
+/// v has coordinates of 1.25 at most in the basis (Lattice::reach). It is computed without rounding where v has
+/// coordinates of 6 at most there.
 template <int d>
-[[nodiscard]] Shift<d> nearest_shift(const Lattice<d>& lattice, const Coordinates<d>& v) {
+[[nodiscard]] Coordinates<d> nearest_vector(const Lattice<d>& lattice, const Coordinates<d>& v) {
     constexpr double clear = 1.0 / 32;  // no vector of a reduced basis is as near as 0 then
     const Coordinates<d> f = lattice.in_basis(v);
     if (std::all_of(f.begin(), f.end(), [](double c) { return std::fabs(c) < clear; })) return {};
@@ -31,6 +32,14 @@ template <int d>
         for (std::size_t k = 0; k < d; ++k) squared += (v[k] - vector[k]) * (v[k] - vector[k]);
         if (squared < least) least = squared, nearest = vector;
     });
+    return nearest;
+}
+
+/// The same in the vectors of the box.
+template <int d>
+[[nodiscard]] Shift<d> nearest_shift(const Lattice<d>& lattice, const Coordinates<d>& v) {
+    const Coordinates<d> nearest = nearest_vector<d>(lattice, v);
+    if (nearest == Coordinates<d>{}) return {};
     const Coordinates<d> turns = in_vectors<d>(lattice.box(), nearest);
     Shift<d> s;
     for (std::size_t i = 0; i < d; ++i) s[i] = static_cast<std::int32_t>(std::nearbyint(turns[i]));
