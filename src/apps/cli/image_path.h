@@ -2,6 +2,7 @@
 #pragma once
 
 #include <annulus/box.h>
+#include <annulus/space/basis_relation.h>
 #include <annulus/types.h>
 
 #include <array>
@@ -18,7 +19,6 @@ namespace annulus::inline v1::cli {
 template <int d>
 class Image_path {
   public:
-    using Matrix = std::array<std::array<std::int64_t, static_cast<std::size_t>(d)>, static_cast<std::size_t>(d)>;
     /// By how many vectors of the present box the position in the frame is ahead of the path.
     using Turns = std::array<std::int64_t, static_cast<std::size_t>(d)>;
 
@@ -27,7 +27,7 @@ class Image_path {
 
     [[nodiscard]] const std::vector<Turns>& turns() const { return turns_; }
     /// The vectors of the box of the frame before, as combinations of those of this one: rows.
-    [[nodiscard]] const Matrix& basis() const { return basis_; }
+    [[nodiscard]] const Integer_matrix<d>& basis() const { return basis_; }
     /// Displacements of the points that stay, relative to the box: their mean and maximum.
     [[nodiscard]] double mean() const { return mean_; }
     [[nodiscard]] double max() const { return max_; }
@@ -37,7 +37,7 @@ class Image_path {
     std::vector<Coordinates<d>> share_;  // in shares of the box, as in the frame
     std::vector<Turns> turns_;
     typename Box<d>::Vectors vectors_{};  // of the last frame
-    Matrix basis_{};
+    Integer_matrix<d> basis_{};
     double mean_ = 0, max_ = 0;
 };
 
