@@ -2,6 +2,7 @@
 #include <annulus/measure/periodic_facets.h>
 #include <annulus/measure/periodic_rings.h>
 #include <annulus/measure/periodic_voronoi.h>
+#include <annulus/measure/saturated.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +52,7 @@ class Edges {
     [[nodiscard]] static double in_callers_unit(const Periodic_facet<d>& facet) {
         const long double unit = std::ldexp(1.0L, facet.exponent);
         const long double measure = d == 2 ? facet.measure * unit : facet.measure * unit * unit;
-        using Range = std::numeric_limits<double>;
-        return static_cast<double>(std::clamp<long double>(measure, Range::min(), Range::max()));
+        return saturated(std::max<long double>(measure, std::numeric_limits<double>::min()));
     }
     /// The shift between representatives as one between the images that the caller gave.
     void add(Index i, Index j, const Shift<d>& shift, const Coordinates<d>& vector, double area, int direction) {

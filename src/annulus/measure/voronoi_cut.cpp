@@ -2,11 +2,11 @@
 #include <annulus/measure/voronoi_cut.h>
 
 #include <annulus/error.h>
+#include <annulus/measure/saturated.h>
 #include <annulus/mesh/at.h>
 #include <annulus/space/dot.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -87,8 +87,7 @@ Coordinates<d> Voronoi_cut<d>::difference(const Coordinates<d>& a, const Coordin
 
 template <int d>
 double Voronoi_cut<d>::measure(double in_unit, int power) const {
-    const long double x = std::ldexp(static_cast<long double>(in_unit), power * exponent_);
-    return static_cast<double>(std::min(x, static_cast<long double>(std::numeric_limits<double>::max())));
+    return saturated(std::ldexp(static_cast<long double>(in_unit), power * exponent_));
 }
 
 template <int d>

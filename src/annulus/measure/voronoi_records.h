@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <annulus/measure/saturated.h>
 #include <annulus/measure/voronoi_input.h>
 #include <annulus/voronoi.h>
 
@@ -87,7 +88,7 @@ class Facet_records {
         const bool finite = facet.measure < unbounded;
         const long double unit = facet.exponent == exponent_ ? unit_ : std::ldexp(1.0L, facet.exponent);
         const long double measure = d == 2 ? facet.measure * unit : facet.measure * unit * unit;
-        if (finite) r.measure = as_double(measure);
+        if (finite) r.measure = saturated(measure);
         typename Cell_sums<d>::Vector from_i{};
         typename Cell_sums<d>::Vector from_j{};
         for (std::size_t k = 0; k < d; ++k) {
@@ -139,8 +140,8 @@ class Facet_records {
         const bool inside = where == Vertex_location::inside;
         const double otherwise = where == Vertex_location::hull ? std::numeric_limits<double>::infinity()
                                                                 : std::numeric_limits<double>::quiet_NaN();
-        out.volume[v] = inside ? as_double(sums_[v].volume()) : otherwise;
-        out.surface[v] = inside ? as_double(sums_[v].measures) : otherwise;
+        out.volume[v] = inside ? saturated(sums_[v].volume()) : otherwise;
+        out.surface[v] = inside ? saturated(sums_[v].measures) : otherwise;
         for (std::size_t k = 0; k < d; ++k)
             out.cell_centroid[v][k] = inside ? static_cast<double>(points_[v][k] + sums_[v].centroid(k))
                                              : std::numeric_limits<double>::quiet_NaN();
@@ -148,10 +149,6 @@ class Facet_records {
 
   private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-    /// The largest double for what is larger.
-    static double as_double(long double x) {
-        return static_cast<double>(std::min(x, static_cast<long double>(std::numeric_limits<double>::max())));
-    }
 
     std::span<const Coordinates<d>> points_;
     int exponent_;
