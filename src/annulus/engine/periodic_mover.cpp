@@ -19,25 +19,6 @@ double spacing_of(const Periodic_state<d>& state) {
     return d == 2 ? std::sqrt(each) : std::cbrt(each);
 }
 
-/// What moves in a periodic box cost, in the unit of cost_model.h, by what was measured of 10,000 points.
-template <int d>
-struct Periodic_costs;
-template <>
-struct Periodic_costs<2> {
-    static constexpr double reinsertion = 2700;             // of a vertex
-    static constexpr double signs = 4.4, tolerances = 1.7;  // of all, per vertex
-    static constexpr double flips = 300;                    // for a vertex that goes less than a spacing
-    static constexpr double build = 80;                     // per vertex
-};
-template <>
-struct Periodic_costs<3> {
-    static constexpr double reinsertion = 9000;
-    static constexpr double signs = 14, tolerances = 2.3;
-    static constexpr double flips = 2000;
-    static constexpr double build = 500;
-};
-constexpr double small_build = 8000;  // and a little, for few points
-
 /// How far a vertex goes, to the image that is nearest to it.
 template <int d>
 double squared_way(const Periodic_state<d>& state, const Vertex_move<d>& m) {
@@ -68,7 +49,7 @@ bool Periodic_mover<d>::is_for_editor(const Periodic_state<d>& state, std::span<
     if (moving <= 1) return true;
     const double each = static_cast<double>(moving);
     const double all = n * (tolerances_.kept() ? Costs::tolerances : Costs::signs) +
-                       (far ? small_build + n * Costs::build : each * Costs::flips);
+                       (far ? small_build_in_box + n * Costs::build : each * Costs::flips);
     return each * Costs::reinsertion < all;
 }
 
@@ -85,12 +66,9 @@ std::size_t Periodic_mover<d>::most_failed(std::size_t vertices) const {
 
 template <int d>
 Move_result Periodic_mover<d>::move(Periodic_state<d>& state, Periodic_state<d> next) {
-    // What a build costs, a copy of a point, in the unit of cost_model.h. Flips of cells with offsets take two to four
-    // times what that model says, so it is less than for builds without.
-    constexpr double copy = d == 2 ? 36 : 80;
     const std::size_t n = next.vertices();
     const bool kept = tolerances_.kept();
-    Budget budget{small_build + copy * static_cast<double>(builder_.copies())};
+    Budget budget{small_build_in_box + Periodic_costs<d>::copy * static_cast<double>(builder_.copies())};
     const Periodic_repair_result repaired = repair_.repair(
         state.table, {state.lattice, state.place}, {next.lattice, next.place}, budget, {tolerances_, most_failed(n)});
     Move_result result;
@@ -99,7 +77,7 @@ Move_result Periodic_mover<d>::move(Periodic_state<d>& state, Periodic_state<d> 
     else {
         tolerances_.invalidate();
         builder_.build(next.lattice, next.place, threads_, next.table);
-        budget.charge(copy * static_cast<double>(builder_.copies()));
+        budget.charge(Periodic_costs<d>::copy * static_cast<double>(builder_.copies()));
     }
     if (repaired.done && !rests) consider(state, next, result.statistics);
     std::swap<Placed_points<d>>(spare_, state);
