@@ -102,10 +102,9 @@ class Replay {
     /// How many cells a clip leaves in the last frame, a sentence.
     [[nodiscard]] std::string on_clip() const {
         const Frame_record& last = files_->records().back();
-        const auto count = [](std::uint64_t n) { return n == 0 ? std::string("none") : grouped(n); };
         const std::uint64_t reach = last.voronoi->bounded;
-        return "In the last frame " + count(reach) + " of " + grouped(last.points, "Voronoi cell") +
-               (reach == 1 ? " reaches" : " reach") + " the clipping region, " + count(last.voronoi->whole) +
+        return "In the last frame " + none_or(reach) + " of " + grouped(last.points, "Voronoi cell") +
+               (reach == 1 ? " reaches" : " reach") + " the clipping region, " + none_or(last.voronoi->whole) +
                (last.voronoi->whole == 1 ? " is" : " are") + " wholly inside.";
     }
     Follows first_frame(const Replay_call& a, const Options& options) {

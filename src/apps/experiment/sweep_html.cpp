@@ -54,9 +54,6 @@ Table_row row_of(const Grid_point& point, std::size_t number, bool open) {
     return row;
 }
 
-/// "none", or the number.
-std::string none_or(std::uint64_t n) { return n == 0 ? "none" : grouped(n); }
-
 /// Grid points are added by dimension, those in periodic boxes apart.
 struct Space {
     int dimension = 2;

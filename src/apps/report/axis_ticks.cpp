@@ -178,4 +178,6 @@ std::string grouped(std::uint64_t value, std::string_view noun) {
     return grouped(value) + " " + std::string(noun) + (value == 1 ? "" : "s");
 }
 
+std::string none_or(std::uint64_t value) { return value == 0 ? "none" : grouped(value); }
+
 }  // namespace annulus::inline v1

@@ -49,5 +49,7 @@ class Axis_range {
 [[nodiscard]] std::string grouped(std::uint64_t value);
 /// "1,234 frames", "1 frame".
 [[nodiscard]] std::string grouped(std::uint64_t value, std::string_view noun);
+/// "none", or the number, grouped.
+[[nodiscard]] std::string none_or(std::uint64_t value);
 
 }  // namespace annulus::inline v1

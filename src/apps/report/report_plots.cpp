@@ -115,19 +115,18 @@ std::vector<Plot> convergence_plots(const Report& report) {
 std::vector<Plot> cost_plots(const Run_record& run) {
     std::vector<Plot> plots;
     if (run.steps.empty()) return plots;
-    if (tested_moves(run).steps > 0) {
+    const auto tested = [](const Iteration_record& s) { return s.tested_tolerances && s.moves.asked > 0; };
+    const auto first = std::find_if(run.steps.begin(), run.steps.end(), tested);
+    if (first != run.steps.end()) {
         Plot plot{"Moves beyond their tolerance",
                   step_axis(run, Scale::log10),
                   {"moves beyond tolerance (%)", Scale::linear, 0., {}, false},
                   {}};
-        plot.series.push_back(over_iterations("", run.steps, [](const Iteration_record& s) -> std::optional<double> {
-            if (!s.tested_tolerances || s.moves.asked == 0) return std::nullopt;
+        plot.series.push_back(over_iterations("", run.steps, [&](const Iteration_record& s) -> std::optional<double> {
+            if (!tested(s)) return std::nullopt;
             const double within = static_cast<double>(s.moves.within_tolerance) / static_cast<double>(s.moves.asked);
             return 100 * (1 - within);
         }));
-        const auto first = std::find_if(run.steps.begin(), run.steps.end(), [](const Iteration_record& s) {
-            return s.tested_tolerances && s.moves.asked > 0;
-        });
         if (first->iteration > 1) {  // a logarithmic axis from 1 would squeeze what is far from there
             plot.x.scale = Scale::linear;
             plot.x.lower = static_cast<double>(first->iteration);
