@@ -70,7 +70,7 @@ template <int d>
 void check_points(const Point_file<d>& file) {
     require(!file.points.empty() && finite(file.points), "points, all finite");
     require(file.lines.size() == file.points.size() && from_1(file.lines), "a line for each point");
-    const std::vector<Coordinates<d>> x = distinct_points(file, 2);
+    const std::vector<Coordinates<d>> x = distinct_points(file, 2).x;
     require(x.size() >= 2 && x.size() <= file.points.size() && distinct(x), "distinct points");
 }
 

@@ -47,7 +47,8 @@ class MovingDelaunay(Construction, Plots, NoArray):
         ``floating``, which are uncertified and meant for comparison. ``paper`` is unsound in 3D.
     merge_duplicates : bool, optional
         Merge duplicate points into one vertex (see `vertex_of_input`). By default they raise an `Error` with the
-        code ``duplicate_point``.
+        code ``duplicate_point``. With `box` images of one another are duplicates, too, if they are so after
+        rounding; coordinates of an image that were computed in doubles may be rounded to another place.
     threads : int, optional
         Number of threads for the parallel parts, 1 or more. Results do not depend on it.
     report_changes : bool, optional

@@ -399,8 +399,8 @@ ANNULUS_API int annulus_periodic_move_all(annulus_periodic* mesh, size_t points,
 // Errors: as annulus_periodic_move_all, and UNKNOWN_VERTEX.
 ANNULUS_API int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* indices,
                                       const double* coordinates, annulus_report* report);
-// Evaluates every certificate, and keeps tolerances from now on; with the strategy "signs" it does nothing. O(n).
-// Errors: ENVIRONMENT, NO_MEMORY.
+// Evaluates every certificate, and keeps tolerances from now on; with the strategy "signs" it does nothing. Lists of
+// what a call has changed stay as they are, and `changed` in the report is 0. O(n). Errors: ENVIRONMENT, NO_MEMORY.
 ANNULUS_API int annulus_periodic_recompute_tolerances(annulus_periodic* mesh, annulus_report* report);
 // Inserts vertices, all or none, and writes their indices: first the free ones, the one freed last first. Five to
 // fifteen microseconds each in 2D, twenty to forty in 3D; with few points a build. After DUPLICATE_POINT the vertex is

@@ -21,7 +21,9 @@ struct Periodic_options {
     int threads = 1;              ///< 1 or more, else Error(usage); results do not depend on it
     bool report_changes = false;  ///< whether calls list the pairs and cells that they change (Periodic_mesh::changes)
     Periodic_strategy strategy = Periodic_strategy::automatic;  ///< of moves; the triangulation does not depend on it
-    bool merge_duplicates = false;  ///< of the constructor: points that are images of one another are one vertex
+    /// Of the constructor from points: those that are, rounded to the grid, images of one another are one vertex. An
+    /// image whose coordinates were computed in doubles may be rounded to the next place, and is another vertex then.
+    bool merge_duplicates = false;
 };
 
 /// Pairs of neighbouring images: point second[k], moved by shift[k] . box, and point first[k]. Each pair once: first <=
@@ -134,8 +136,8 @@ class Periodic_mesh {
     /// The same for several vertices, all or none. An index that occurs twice is unknown_vertex, too.
     void remove(std::span<const Index> indices);
 
-    /// The vertex of each point that the constructor was given: 0, 1, 2, .. unless duplicate points were merged. Valid
-    /// as long as the mesh.
+    /// The vertex of each point that the constructor was given, of a saved mesh of each index: 0, 1, 2, .. unless
+    /// duplicate points were merged. Valid as long as the mesh.
     [[nodiscard]] std::span<const Index> vertex_of_input() const;
 
     [[nodiscard]] std::size_t number_of_vertices() const;

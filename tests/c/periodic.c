@@ -187,6 +187,8 @@ static void check_coming_and_going(int d) {
     for (int c = 0; c < d; ++c) further[c] = x[10 * d + c] + 0.125;
     CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){10}, further, &moved_one), ANNULUS_OK);
     CHECK(moved_one.asked == 1 && moved_one.changed > 0 && is_delaunay(mesh));
+    CHECK_STATUS(annulus_periodic_changed(mesh, 0, NULL, NULL, &count), ANNULUS_OK);
+    CHECK(moved_one.changed == count);
     CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){1}, further, NULL), ANNULUS_UNKNOWN_VERTEX);
     CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){11}, further, NULL), ANNULUS_DUPLICATE_POINT);
     CHECK_STATUS(annulus_periodic_move(mesh, 1, (const int32_t[]){10}, x + 10 * d, NULL), ANNULUS_OK);

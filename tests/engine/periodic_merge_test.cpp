@@ -2,6 +2,7 @@
 // Periodic_options::merge_duplicates: points that are images of one another are one vertex.
 #include <annulus/error.h>
 #include <annulus/periodic_mesh.h>
+#include <annulus/space/for_each_shift.h>
 
 #include <support/catch.h>
 #include <support/cells_of_periodic.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 using namespace annulus;
@@ -65,6 +67,46 @@ void expect_merged(int kind, std::uint64_t seed) {
     CHECK_THROWS_AS(Periodic_mesh<d>(x, box), Error);
 }
 
+/// Boxes of random directions, thin in one of them, and points in the other ones with their images.
+template <int d>
+void expect_merged_at_border() {
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+        CAPTURE(d, seed);
+        Periodic_cases cases(seed);
+        typename Box<d>::Vectors v;
+        for (auto& vector : v)
+            for (double& c : vector) c = cases.uniform(-1, 1);
+        for (std::size_t j = 0; j < d; ++j) {  // made orthonormal
+            for (std::size_t k = 0; k < j; ++k) {
+                const double along = std::inner_product(v[j].begin(), v[j].end(), v[k].begin(), 0.0);
+                for (std::size_t i = 0; i < d; ++i) v[j][i] -= along * v[k][i];
+            }
+            const double length = std::sqrt(std::inner_product(v[j].begin(), v[j].end(), v[j].begin(), 0.0));
+            for (double& c : v[j]) c /= length;
+        }
+        for (double& c : v[d - 1]) c *= std::ldexp(1.0, -static_cast<int>(10 + seed % 17));
+        try {
+            v = Periodic_mesh<d>(std::vector<Coordinates<d>>{}, Box<d>(v)).box().vectors();
+        } catch (const Error& e) {
+            CHECK(e.code() == Error_code::usage);  // too thin
+            continue;
+        }
+        for (int k = 0; k < 20; ++k) {
+            Coordinates<d> p{};
+            for (std::size_t j = 0; j + 1 < d; ++j)
+                for (std::size_t i = 0, c = cases.below(64); i < d; ++i) p[i] += static_cast<double>(c) / 64 * v[j][i];
+            const Coordinates<d> place = Periodic_mesh<d>(std::vector{p}, Box<d>(v)).saved().places[0];
+            std::vector<Coordinates<d>> x;
+            for_each_shift<d>(1, [&](const Shift<d>& s) {
+                x.push_back(place);
+                for (std::size_t j = 0; j < d; ++j)
+                    for (std::size_t i = 0; i < d; ++i) x.back()[i] += s[j] * v[j][i];
+            });
+            REQUIRE(Periodic_mesh<d>(x, Box<d>(v), {.merge_duplicates = true}).number_of_vertices() == 1);
+        }
+    }
+}
+
 }  // namespace
 
 TEST_CASE("Points that are images of one another are one vertex on request", "[periodic]") {
@@ -84,6 +126,19 @@ TEST_CASE("Points on both sides of a box, as it rounds, are one vertex on reques
     CHECK(std::equal(of.begin(), of.end(), mesh.vertex_of_input().begin(), mesh.vertex_of_input().end()));
     const Periodic_mesh<2> none(std::vector<Coordinates<2>>{}, box, {.merge_duplicates = true});
     CHECK((none.number_of_vertices() == 0 && none.vertex_of_input().empty()));
+}
+
+TEST_CASE("In a box as thin as there are any, images at its border are one vertex on request", "[periodic]") {
+    const Box<3> thin({{{-0.798193956802562, -0.5133536225305804, -0.315205433897642},
+                        {-0.0515243994759107, -0.46315230836272825, 0.8847797327679494},
+                        {-8.621562486155199e-08, 1.0377979897668865e-07, 4.9304524907256564e-08}}});
+    const std::vector<Coordinates<3>> x{{-0.7750102674868078, -0.8375800439955405, 0.407790041298572},
+                                        {.1, .2, .3},
+                                        {-0.7750103537024327, -0.8375799402157416, 0.4077900906030969}};
+    const Periodic_mesh<3> mesh(x, thin, {.merge_duplicates = true});
+    CHECK((mesh.number_of_vertices() == 2 && mesh.vertex_of_input()[2] == 0));
+    expect_merged_at_border<2>();
+    expect_merged_at_border<3>();
 }
 
 TEST_CASE("Without duplicates, or without the option, point k is vertex k", "[periodic]") {

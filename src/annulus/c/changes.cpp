@@ -12,9 +12,14 @@ using namespace annulus::c;
 
 namespace {
 
+/// How many cells annulus_changed lists.
+std::size_t cells_in(const annulus_mesh& m) {
+    return m.changes.came().size() / static_cast<std::size_t>(m.mesh->dimension() + 1);
+}
+
 void hand_over(annulus_mesh& m, Move_result& done, annulus_report* report) {
     m.changes.assign(std::move(done.changed), std::move(done.gone));
-    write_report(report, done, m.mesh->dimension(), m.changes.came().size());
+    write_report(report, done, cells_in(m));
 }
 
 /// For calls that make several calls of Moving_mesh: after each of these, adds its report and its lists of cells.
@@ -24,13 +29,13 @@ void add(annulus_mesh& m, const Move_result& one, Move_result& all, annulus_repo
     all += one;
     all.changed.clear();  // the mesh has them
     all.gone.clear();
-    write_report(report, all, m.mesh->dimension(), m.changes.came().size());
+    write_report(report, all, cells_in(m));
 }
 
 void begin_several(annulus_mesh& m, annulus_report* report, std::size_t* so_far) {
     if (so_far != nullptr) *so_far = 0;
     m.changes.clear();
-    write_report(report, {}, m.mesh->dimension(), 0);
+    write_report(report, {}, 0);
 }
 
 }  // namespace

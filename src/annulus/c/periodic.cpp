@@ -115,7 +115,7 @@ int annulus_periodic_move_all(annulus_periodic* mesh, size_t points, const doubl
         const auto x = as_points<d>(coordinates, points);
         const Move_result done =
             box == nullptr ? boxed.changing().move_all(x) : boxed.changing().move_all(x, as_box<d>(box));
-        write_report(report, done, d, boxed.mesh().changes().changed.vertices.size());
+        write_report(report, done, boxed.mesh().changes().changed.vertices.size());
     });
 }
 
@@ -129,14 +129,14 @@ int annulus_periodic_move(annulus_periodic* mesh, size_t count, const int32_t* i
         require_report(report);
         require_sound_environment();
         const Move_result done = boxed.changing().move({indices, count}, as_points<d>(coordinates, count));
-        write_report(report, done, d, boxed.mesh().changes().changed.vertices.size());
+        write_report(report, done, boxed.mesh().changes().changed.vertices.size());
     });
 }
 
 int annulus_periodic_recompute_tolerances(annulus_periodic* mesh, annulus_report* report) {
     return on(mesh, [&](auto& boxed) {
         require_report(report);
-        write_report(report, boxed.changing().recompute_tolerances(), std::decay_t<decltype(boxed)>::dimension, 0);
+        write_report(report, boxed.changing().recompute_tolerances(), 0);
     });
 }
 

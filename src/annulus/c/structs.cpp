@@ -74,7 +74,7 @@ Periodic_options periodic_options_of(const annulus_options* given) {
     return options;
 }
 
-void write_report(annulus_report* to, const Move_result& done, int dimension, std::size_t changed) {
+void write_report(annulus_report* to, const Move_result& done, std::size_t changed) {
     if (to == nullptr) return;
     annulus_report r{};
     const Move_statistics& cost = done.statistics;
@@ -92,7 +92,7 @@ void write_report(annulus_report* to, const Move_result& done, int dimension, st
     r.tolerance_steps = cost.tolerance_steps;
     r.sign_steps = cost.sign_steps;
     r.rebuild_steps = cost.rebuild_steps;
-    r.changed = changed / static_cast<std::size_t>(dimension + 1);
+    r.changed = changed;
     r.cost = cost.cost;
     write_struct(to, r);
 }

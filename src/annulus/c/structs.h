@@ -37,6 +37,6 @@ inline void require_report(const annulus_report* report) {
 /// Precondition: require_struct of its size.
 void write_audit(annulus_audit_result* to, const Audit_result& verdict);
 /// changed: the number of entries of Move_result::changed, d + 1 per cell.
-void write_report(annulus_report* to, const Move_result& done, int dimension, std::size_t changed);
+void write_report(annulus_report* to, const Move_result& done, std::size_t changed);
 
 }  // namespace annulus::inline v1::c

@@ -3,8 +3,9 @@
 
 #include <annulus/space/least_image.h>
 
+#include <algorithm>
 #include <cstddef>
-#include <map>
+#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -17,14 +18,24 @@ std::vector<Coordinates<d>> least_images(const Lattice<d>& lattice, std::vector<
 template <int d>
 Merged_points<d> merged_points(const Lattice<d>& lattice, std::span<const Coordinates<d>> points,
                                std::span<const Coordinates<d>> place) {
+    std::vector<std::pair<Coordinates<d>, Index>> images;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        images.emplace_back(least_image<d>(lattice, place[k]), static_cast<Index>(k));
+    std::sort(images.begin(), images.end());
     Merged_points<d> merged;
-    merged.vertex.reserve(points.size());
-    std::map<Coordinates<d>, Index> seen;
+    merged.vertex.resize(points.size());  // at first the first point at the same place
+    for (std::size_t i = 0, first = 0; i < images.size(); ++i) {
+        if (images[i].first != images[first].first) first = i;
+        merged.vertex[static_cast<std::size_t>(images[i].second)] = images[first].second;
+    }
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto [it, is_new] =
-            seen.emplace(least_image<d>(lattice, place[k]), static_cast<Index>(merged.distinct.size()));
-        if (is_new) merged.distinct.push_back(points[k]);
-        merged.vertex.push_back(it->second);
+        const auto first = static_cast<std::size_t>(merged.vertex[k]);
+        if (first < k) {
+            merged.vertex[k] = merged.vertex[first];
+            continue;
+        }
+        merged.vertex[k] = static_cast<Index>(merged.distinct.size());
+        merged.distinct.push_back(points[k]);
     }
     return merged;
 }

@@ -147,14 +147,21 @@ void Lattice<d>::require_combinations() const {
 }
 
 /// Of the rounded lattice. In a box that is thin in a direction that is no axis the rounded basis may be far from
-/// reduced. The margin is for in_basis, in which places are compared with it.
+/// reduced, and the dual basis is off by what its determinant rounds: as much as a vector's own coordinates are, which
+/// are to be those of a row of the unit matrix.
 template <int d>
 void Lattice<d>::choose_reach() {
     reach_ = reach_of<d>(obtuse_superbase<d>(basis_), basis_);
+    rounding_ = {};
+    for (std::size_t k = 0; k < d; ++k) {
+        const Coordinates<d> f = in_basis(basis_[k]);
+        for (std::size_t j = 0; j < d; ++j) rounding_[j] += 8 * std::fabs(f[j] - (j == k ? 1 : 0));
+    }
     for (std::size_t j = 0; j < d; ++j) {
         double terms = 0;  // a place's coordinates are below 2^50.6 units of the grid
         for (std::size_t i = 0; i < d; ++i) terms += std::fabs(dual_[j][i]) * std::ldexp(grid_[i], 51);
-        reach_[j] += 0x1p-45 * (1 + terms);
+        rounding_[j] += 0x1p-45 * (1 + terms);
+        reach_[j] += rounding_[j];
         if (!(reach_[j] <= still_reduced)) throw_thin();
     }
 }

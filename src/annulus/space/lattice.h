@@ -50,12 +50,15 @@ class Lattice {
     /// The unit of the grid on each axis, a power of two.
     [[nodiscard]] const Coordinates<d>& grid() const { return grid_; }
     /// How far the neighbours of a point are, at most: the coordinates in the basis of an edge of any Delaunay
-    /// triangulation with this lattice are at most these, with a margin for what in_basis rounds (docs/theory.md 8.5).
+    /// triangulation with this lattice are at most these, with a margin of rounding() (docs/theory.md 8.5).
     [[nodiscard]] const Coordinates<d>& reach() const { return reach_; }
     /// det L, positive.
     [[nodiscard]] double volume() const;
     /// The distance of opposite facets of the basis' cell, by basis vector.
     [[nodiscard]] Coordinates<d> heights() const;
+
+    /// How far in_basis is off, at most, for each coordinate of a place moved by an offset up to 4.
+    [[nodiscard]] const Coordinates<d>& rounding() const { return rounding_; }
 
     /// Coordinates in the basis, in doubles: exact ones are not needed.
     [[nodiscard]] Coordinates<d> in_basis(const Coordinates<d>& p) const;
@@ -92,6 +95,7 @@ class Lattice {
     Matrix to_box_;  // row j: basis vector j as a combination of the box's
     Coordinates<d> grid_;
     Coordinates<d> reach_;
+    Coordinates<d> rounding_;
 };
 
 extern template class Lattice<2>;

@@ -7,7 +7,7 @@
 namespace annulus::inline v1 {
 
 /// The same for all images of a place, which is that of a representative: of those in the cell of the basis, widened by
-/// a border, the least.
+/// what Lattice::in_basis rounds, the least.
 template <int d>
 [[nodiscard]] Coordinates<d> least_image(const Lattice<d>& lattice, const Coordinates<d>& place);
 
