@@ -118,14 +118,18 @@ TEST_CASE("Points that are images of one another are one vertex on request", "[p
 }
 
 TEST_CASE("Points on both sides of a box, as it rounds, are one vertex on request", "[periodic]") {
-    const std::vector<Coordinates<2>> x{{0, 0}, {-1e-30, 0}, {1, 1}, {0.5, 0.5}, {3, -1e-30}, {0.5, -0.5}};
-    const auto box = Box<2>::orthorhombic({1, 1});
-    const Periodic_mesh<2> mesh(x, box, {.merge_duplicates = true});
-    CHECK(mesh.number_of_vertices() == 2);
-    const std::vector<Index> of{0, 0, 0, 1, 0, 1};
-    CHECK(std::equal(of.begin(), of.end(), mesh.vertex_of_input().begin(), mesh.vertex_of_input().end()));
-    const Periodic_mesh<2> none(std::vector<Coordinates<2>>{}, box, {.merge_duplicates = true});
-    CHECK((none.number_of_vertices() == 0 && none.vertex_of_input().empty()));
+    for (const double a : {1.0, 49.0}) {  // 49 times the double nearest to 1 / 49 is less than 1
+        CAPTURE(a);
+        const std::vector<Coordinates<2>> x{{0, 0},         {-1e-30, 0},     {a, a},
+                                            {a / 2, a / 2}, {3 * a, -1e-30}, {a / 2, -a / 2}};
+        const auto box = Box<2>::orthorhombic({a, a});
+        const Periodic_mesh<2> mesh(x, box, {.merge_duplicates = true});
+        CHECK(mesh.number_of_vertices() == 2);
+        const std::vector<Index> of{0, 0, 0, 1, 0, 1};
+        CHECK(std::equal(of.begin(), of.end(), mesh.vertex_of_input().begin(), mesh.vertex_of_input().end()));
+        const Periodic_mesh<2> none(std::vector<Coordinates<2>>{}, box, {.merge_duplicates = true});
+        CHECK((none.number_of_vertices() == 0 && none.vertex_of_input().empty()));
+    }
 }
 
 TEST_CASE("In a box as thin as there are any, images at its border are one vertex on request", "[periodic]") {
