@@ -146,8 +146,8 @@ def test_what_has_no_meaning_says_why():
         with pytest.raises(annulus.NotAvailableError, match="clip .* bounded"):
             call(clip=[[0, 0, 0], [1, 1, 1]])
         call(clip=None)
-    for options, reason in (({"strategy": "in-place"}, "'signs'"),
-                            ({"tolerance": "paper", "strategy": "paper"}, "'signs'"),
+    for options, reason in (({"strategy": "in-place"}, " signs, "),
+                            ({"tolerance": "paper", "strategy": "paper"}, " signs, "),
                             ({"tolerance": "floating"}, "certified")):
         with pytest.raises(annulus.Error, match=reason):
             annulus.MovingDelaunay(np.zeros((1, 3)), box=[1, 1, 1], **options)
