@@ -69,7 +69,8 @@ def dearest(bench):
     for d, family, motion, s in DEAREST:
         runs = [bench.call("annulus-motions", dimension=d, family=family, motion=motion,
                            points=3000 if d == 3 else 5000, spacings=s, steps=8 if bench.quick else 40, warm=0,
-                           seed=seed, strategies=5 * "auto:mesh," + "rebuild:mesh")[0] for seed in range(1, bench.repeat + 1)]
+                           seed=seed, strategies=5 * "auto:mesh," + "rebuild:mesh")[0]
+                for seed in range(1, bench.repeat + 1)]
         most = max(r["auto:mesh"]["most expensive, in ours"] for r in runs)
         usual = sorted(r["auto:mesh"]["ns"] / r["rebuild:mesh"]["ns"] for r in runs)[len(runs) // 2]
         yield (f"| {family}, {motion}, {d}D, s = {s:g} | {most:.2f} | {limits(most, 1.5, 1.2, False)} | {usual:.2f} "
