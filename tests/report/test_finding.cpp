@@ -5,6 +5,7 @@
 #include <formats/well_formed.h>
 
 #include <apps/report/finding.h>
+#include <apps/report/page.h>
 #include <apps/report/report.h>
 #include <apps/report/report_plots.h>
 
