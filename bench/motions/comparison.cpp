@@ -34,20 +34,6 @@ Runner<d> runner(const std::string& name, const Comparison& comparison, const Po
     return r;
 }
 
-/// The most expensive step of those of this name, each step by the median of them: a pause of the machine hits one.
-template <int d>
-double most_expensive(const std::vector<Runner<d>>& runners, const std::string& name) {
-    std::vector<std::vector<double>> steps;
-    for (const Runner<d>& r : runners) {
-        if (r.name != name) continue;
-        steps.resize(r.seconds.size());
-        for (std::size_t i = 0; i < steps.size(); ++i) steps[i].push_back(r.seconds[i]);
-    }
-    double most = 0.0;
-    for (const std::vector<double>& same : steps) most = std::max(most, quantile(same, 0.5));
-    return most;
-}
-
 }  // namespace
 
 template <int d>
@@ -97,9 +83,6 @@ int compare(Motion<d>& motion, const Comparison& comparison, const std::string& 
     out["cgal_ns"] = quantile(nanoseconds, 0.5);
     std::printf("%s: %.3g spacings a step, cgal %.0f ns", name.c_str(), quantile(displacement, 0.5),
                 quantile(nanoseconds, 0.5));
-    double rebuild = 0.0;
-    for (const Runner<d>& r : runners)
-        if (r.name == "rebuild:mesh") rebuild = quantile(r.seconds, 0.5);
     int failed = 0;
     for (Runner<d>& r : runners) {
         std::vector<double> ratio;
@@ -133,7 +116,7 @@ int compare(Motion<d>& motion, const Comparison& comparison, const std::string& 
                        {"exact", share(r.report.statistics.arithmetic.exact)},
                        {"reinserted", share(r.report.moves.reinserted)},
                        {"audit", r.failed_audits == 0}};
-        if (rebuild > 0.0) out[r.name]["most expensive, in ours"] = most_expensive<d>(runners, r.name) / rebuild;
+        if (comparison.each_step) out[r.name]["each"] = r.seconds;
     }
     std::printf("\n");
     std::fflush(stdout);

@@ -21,13 +21,12 @@ struct Comparison {
     int threads = 1;
     bool audit = true;
     bool audit_all = false;  ///< after every timed step, not only the last
+    bool each_step = false;  ///< whether the seconds of each step are written, too
 };
 
 /// Strategies and CGAL's rebuild on the same time steps, step by step in turn, each of them first at every so many
-/// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Where `rebuild:mesh` is among the
-/// strategies, also the dearest step in units of its median step; a strategy that is named several times follows
-/// several times, and each step counts by the median. Writes the results to `out`, and prints a line that
-/// begins with `name`. Returns the number of failed audits.
+/// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Writes the results
+/// to `out`, and prints a line that begins with `name`. Returns the number of failed audits.
 template <int d>
 int compare(Motion<d>& motion, const Comparison& comparison, const std::string& name, nlohmann::ordered_json& out);
 

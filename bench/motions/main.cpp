@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
         ->delimiter(',');
     app.add_flag("!--no-audit", choice.comparison.audit);
     app.add_flag("--audit-all", choice.comparison.audit_all, "after every step, not only the last");
+    app.add_flag("--each-step", choice.comparison.each_step, "write the seconds of each step, too");
     app.add_option("--json", json, "file that a line is appended to");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -30,7 +30,7 @@ class Rebuild_policy {
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 8000.0 + repair_limit(vertices); }
 
     /// What a time step of `auto` may cost with the tolerances that it recomputes.
-    [[nodiscard]] static double step_limit(std::size_t vertices) { return 1.45 * rebuild_cost(vertices); }
+    [[nodiscard]] static double step_limit(std::size_t vertices) { return 1.2 * rebuild_cost(vertices); }
     /// The cost at which repair of a time step gives up once its first round is over: what is left then is mostly known
     /// (Late_rounds), and giving up costs a rebuild.
     [[nodiscard]] static double late_limit(std::size_t vertices) { return late_share * rebuild_cost(vertices); }
