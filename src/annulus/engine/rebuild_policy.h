@@ -29,7 +29,8 @@ class Rebuild_policy {
     /// small.
     [[nodiscard]] static double generous_repair_limit(std::size_t vertices) { return 8000.0 + repair_limit(vertices); }
 
-    /// What a time step of `auto` may cost with the tolerances that it recomputes.
+    /// What a time step of `auto` may cost with the tolerances that it recomputes: the first time these take up to 1.3
+    /// times as long as is counted, since their memory is new to the process.
     [[nodiscard]] static double step_limit(std::size_t vertices) { return 1.2 * rebuild_cost(vertices); }
     /// The cost at which repair of a time step gives up once its first round is over: what is left then is mostly known
     /// (Late_rounds), and giving up costs a rebuild.
