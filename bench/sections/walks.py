@@ -68,8 +68,9 @@ def least(runs, strategy):
 def dearest(bench):
     """The dearest single step, in rebuilds of ours."""
     yield from ["## The dearest step, 3,000 points in 3D, 5,000 in 2D", "",
-                "`Moving_mesh` with `auto`, all steps of all runs, in units of the median rebuild of `Moving_mesh` with "
-                "the strategy `rebuild`; each step, and each rebuild, by the least of five runs of the same steps.", "",
+                "`Moving_mesh` with `auto`, all steps of all runs, in units of the median rebuild of `Moving_mesh` "
+                "with the strategy `rebuild`; each step, and each rebuild, by the least of five runs of the same "
+                "steps.", "",
                 "| | dearest, in rebuilds | must | reached | aim | median step, in rebuilds | audit |",
                 "|---|---|---|---|---|---|---|"]
     for d, family, motion, s in DEAREST:
