@@ -55,14 +55,14 @@ struct Cost_model<3> {
     static constexpr double flip = 35.0;
     static constexpr double point = 380.0;
     static constexpr double filter = 1.9;
-    static constexpr double integers = 8.0;
-    static constexpr double interval = 17.0;
-    static constexpr double exact = 190.0;
+    static constexpr double integers = 19.0;
+    static constexpr double interval = 45.0;
+    static constexpr double exact = 300.0;
     static constexpr double reinsertion = 3000.0;
     static constexpr double border = 7.0;
     static constexpr double failure = 36.0;
     static constexpr double evaluation = 8.7;
-    static constexpr double star = 145.0;
+    static constexpr double star = 103.0;
     static constexpr double certificates = 20.0;
     static constexpr double expected = 11.4;
 };
