@@ -128,7 +128,7 @@ TEST_CASE("Steps that make cells while tolerances are computed in slices", "[eng
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         CAPTURE(seed);
         Run<3> run("uniform", "few", n, 0.01, seed);
-        bench::Scene<3> all("uniform", "walk", n, 0.003, seed);
+        bench::Scene<3> all("uniform", "walk", n, 0.001, seed);
         const std::vector<Coordinates<3>> from(all.points().begin(), all.points().end());
         Cell_index bound;
         bool begun = false;
