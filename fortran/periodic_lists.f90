@@ -144,37 +144,33 @@ contains
     end procedure
 
     module procedure pairs_made
-        integer(c_size_t) :: count
-        integer(c_int) :: status
-        integer(c_int32_t), pointer, contiguous :: all_first(:), all_second(:), all_shifts(:, :)
-        nullify (all_first, all_second, all_shifts)
-        status = annulus_periodic_pairs_made(self%handle, 0_c_size_t, count=count)
-        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
-            if (present(first)) then
-                call fit(first, count)
-                all_first => first
-            end if
-            if (present(second)) then
-                call fit(second, count)
-                all_second => second
-            end if
-            if (present(shifts)) then
-                call fit(shifts, self%dimension(), count)
-                all_shifts => shifts
-            end if
-            status = annulus_periodic_pairs_made(self%handle, count, all_first, all_second, all_shifts, count)
-            if (present(first)) first = first + 1
-            if (present(second)) second = second + 1
-        end if
-        call finish_call(self, status, stat, errmsg)
+        call get_pairs(self, annulus_periodic_pairs_made, first, second, shifts, stat, errmsg)
     end procedure
 
     module procedure pairs_broken
+        call get_pairs(self, annulus_periodic_pairs_broken, first, second, shifts, stat, errmsg)
+    end procedure
+
+    module procedure changed
+        call get_cells(self, annulus_periodic_changed, vertices, offsets, stat, errmsg)
+    end procedure
+
+    module procedure gone
+        call get_cells(self, annulus_periodic_gone, vertices, offsets, stat, errmsg)
+    end procedure
+
+    ! pairs_made or pairs_broken.
+    subroutine get_pairs(self, list, first, second, shifts, stat, errmsg)
+        class(periodic_mesh), intent(in) :: self
+        procedure(annulus_periodic_pairs_made) :: list
+        integer(c_int32_t), allocatable, intent(inout), optional, target :: first(:), second(:), shifts(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
         integer(c_int) :: status
         integer(c_int32_t), pointer, contiguous :: all_first(:), all_second(:), all_shifts(:, :)
         nullify (all_first, all_second, all_shifts)
-        status = annulus_periodic_pairs_broken(self%handle, 0_c_size_t, count=count)
+        status = list(self%handle, 0_c_size_t, count=count)
         if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
             if (present(first)) then
                 call fit(first, count)
@@ -188,19 +184,25 @@ contains
                 call fit(shifts, self%dimension(), count)
                 all_shifts => shifts
             end if
-            status = annulus_periodic_pairs_broken(self%handle, count, all_first, all_second, all_shifts, count)
+            status = list(self%handle, count, all_first, all_second, all_shifts, count)
             if (present(first)) first = first + 1
             if (present(second)) second = second + 1
         end if
         call finish_call(self, status, stat, errmsg)
-    end procedure
+    end subroutine
 
-    module procedure changed
+    ! changed or gone.
+    subroutine get_cells(self, list, vertices, offsets, stat, errmsg)
+        class(periodic_mesh), intent(in) :: self
+        procedure(annulus_periodic_changed) :: list
+        integer(c_int32_t), allocatable, intent(inout), optional, target :: vertices(:, :), offsets(:, :, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
         integer(c_int) :: status
         integer(c_int32_t), pointer, contiguous :: all_vertices(:, :), all_offsets(:, :, :)
         nullify (all_vertices, all_offsets)
-        status = annulus_periodic_changed(self%handle, 0_c_size_t, count=count)
+        status = list(self%handle, 0_c_size_t, count=count)
         if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
             if (present(vertices)) then
                 call fit(vertices, self%dimension() + 1, count)
@@ -210,32 +212,11 @@ contains
                 call fit(offsets, self%dimension(), self%dimension() + 1, count)
                 all_offsets => offsets
             end if
-            status = annulus_periodic_changed(self%handle, count, all_vertices, all_offsets, count)
+            status = list(self%handle, count, all_vertices, all_offsets, count)
             if (present(vertices)) vertices = vertices + 1
         end if
         call finish_call(self, status, stat, errmsg)
-    end procedure
-
-    module procedure gone
-        integer(c_size_t) :: count
-        integer(c_int) :: status
-        integer(c_int32_t), pointer, contiguous :: all_vertices(:, :), all_offsets(:, :, :)
-        nullify (all_vertices, all_offsets)
-        status = annulus_periodic_gone(self%handle, 0_c_size_t, count=count)
-        if (status == ANNULUS_OK .or. status == ANNULUS_WRONG_SIZE) then
-            if (present(vertices)) then
-                call fit(vertices, self%dimension() + 1, count)
-                all_vertices => vertices
-            end if
-            if (present(offsets)) then
-                call fit(offsets, self%dimension(), self%dimension() + 1, count)
-                all_offsets => offsets
-            end if
-            status = annulus_periodic_gone(self%handle, count, all_vertices, all_offsets, count)
-            if (present(vertices)) vertices = vertices + 1
-        end if
-        call finish_call(self, status, stat, errmsg)
-    end procedure
+    end subroutine
 
     module procedure audit
         type(annulus_audit_result) :: empty
