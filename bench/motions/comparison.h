@@ -25,8 +25,8 @@ struct Comparison {
 };
 
 /// Strategies and CGAL's rebuild on the same time steps, step by step in turn, each of them first at every so many
-/// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Writes the results
-/// to `out`, and prints a line that begins with `name`. Returns the number of failed audits.
+/// steps: nanoseconds per vertex and step, ratios of the same step and of the sums. Writes the results to
+/// `out`, and prints a line that begins with `name`. Returns the number of failed audits.
 template <int d>
 int compare(Motion<d>& motion, const Comparison& comparison, const std::string& name, nlohmann::ordered_json& out);
 

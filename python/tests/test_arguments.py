@@ -177,7 +177,7 @@ IN_BOX = {"MovingDelaunay": ("auto", "signs", "tolerances", "rebuild"),
 @pytest.mark.parametrize("strategy", [*ALL, "signs", "best", None])
 @pytest.mark.parametrize("kind", list(IN_BOX))
 def test_strategies_that_there_are_in_a_box(kind, strategy):
-    """Those are taken, and named to whoever gives another one."""
+    """Those are taken, and the message for any other one names them."""
     def made():
         return getattr(annulus, kind)(X, box=[9] * X.shape[1], strategy=strategy)
 
