@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <annulus/engine/merged_points.h>
 
+#include <annulus/space/first_at_place.h>
 #include <annulus/space/least_image.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace annulus::inline v1 {
 
@@ -18,24 +17,12 @@ std::vector<Coordinates<d>> least_images(const Lattice<d>& lattice, std::vector<
 template <int d>
 Merged_points<d> merged_points(const Lattice<d>& lattice, std::span<const Coordinates<d>> points,
                                std::span<const Coordinates<d>> place) {
-    std::vector<std::pair<Coordinates<d>, Index>> images;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        images.emplace_back(least_image<d>(lattice, place[k]), static_cast<Index>(k));
-    std::sort(images.begin(), images.end());
+    const std::vector<std::size_t> first = first_at_place<d>(least_images<d>(lattice, {place.begin(), place.end()}));
     Merged_points<d> merged;
-    merged.vertex.resize(points.size());  // at first the first point at the same place
-    for (std::size_t i = 0, first = 0; i < images.size(); ++i) {
-        if (images[i].first != images[first].first) first = i;
-        merged.vertex[static_cast<std::size_t>(images[i].second)] = images[first].second;
-    }
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const auto first = static_cast<std::size_t>(merged.vertex[k]);
-        if (first < k) {
-            merged.vertex[k] = merged.vertex[first];
-            continue;
-        }
-        merged.vertex[k] = static_cast<Index>(merged.distinct.size());
-        merged.distinct.push_back(points[k]);
+        const bool is_new = first[k] == k;
+        merged.vertex.push_back(is_new ? static_cast<Index>(merged.distinct.size()) : merged.vertex[first[k]]);
+        if (is_new) merged.distinct.push_back(points[k]);
     }
     return merged;
 }

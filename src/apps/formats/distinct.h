@@ -3,33 +3,19 @@
 
 #include <annulus/box.h>
 #include <annulus/engine/merged_points.h>
+#include <annulus/space/first_at_place.h>
 #include <annulus/space/lattice.h>
 #include <annulus/types.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace annulus::inline v1 {
 
-/// For each point, the index of the first point at the same position: its own index where no earlier point is there.
-/// O(n log n).
-template <int d>
-[[nodiscard]] std::vector<std::size_t> first_at_place(std::span<const Coordinates<d>> x) {
-    std::vector<std::size_t> order(x.size()), first(x.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&x](std::size_t i, std::size_t j) { return x[i] != x[j] ? x[i] < x[j] : i < j; });
-    for (std::size_t k = 0; k < order.size(); ++k)
-        first[order[k]] = k > 0 && x[order[k]] == x[order[k - 1]] ? first[order[k - 1]] : order[k];
-    return first;
-}
-
-/// The same in a periodic box: the first point of which it is an image, both rounded to the grid of the box. Throws
-/// not_finite, and out_of_domain for a point more than 2^29 boxes away; the error names it. O(n log n).
+/// The same in a periodic box: for each point the first one of which it is an image, both rounded to the grid of the
+/// box. Throws not_finite, and out_of_domain for a point more than 2^29 boxes away; the error names it. O(n log n).
 template <int d>
 [[nodiscard]] std::vector<std::size_t> first_at_place(std::span<const Coordinates<d>> x, const Box<d>& box) {
     const Lattice<d> lattice(box.vectors());
