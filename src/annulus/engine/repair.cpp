@@ -61,11 +61,13 @@ bool Repair<d>::evaluate(Step<d>& step) {
     return checker_.all_hold() && border_holds(step, step.mover == none, false);
 }
 
-/// A part of them, taken from all over the mesh, tells what the stages after the filter are going to cost.
+/// A few of them, taken from all over the mesh, tell what the stages after the filter are going to cost: no more than
+/// there is room for if all of these are decided exactly.
 template <int d>
 bool Repair<d>::can_evaluate(Step<d>& step, double most) {
     if (step.budget.spent + checker_.pending_cost() > most) return false;
-    const std::size_t stride = std::max<std::size_t>(1, checker_.size() / 16);
+    const double few = std::clamp((most - step.budget.spent) / exact_evaluation_cost, 1.0, 16.0);
+    const std::size_t stride = std::max<std::size_t>(1, checker_.size() / static_cast<std::size_t>(few));
     const Stage_counts some = checker_.evaluate_some(stride);
     count(step, some);
     const double later = Certificate_checker<d>::later_cost(some);

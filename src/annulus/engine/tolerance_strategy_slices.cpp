@@ -74,7 +74,7 @@ void Tolerance_strategy<d>::recompute_slice(Move_result& report) {
 }
 
 /// The step from where the slices began to the present positions, at which every certificate holds. False, with
-/// nothing done, when it would cost more than there is room for.
+/// nothing kept, when it would cost more than there is room for.
 template <int d>
 bool Tolerance_strategy<d>::finish_slices(double room, Move_result& report) {
     displacement_budget_.resize();  // steps meanwhile have made cells
@@ -82,29 +82,35 @@ bool Tolerance_strategy<d>::finish_slices(double room, Move_result& report) {
     Step<d> step = new_step(position_, none, Scope::expired);
     (void)find_failed(step);
     const double failures = Cost_model<d>::failure * static_cast<double>(step.failed.size());
-    Certificate_checker<d>& checker = repair_.checker();
-    checker.begin(position_);
+    bool finished = false;
     if (failures <= room) {
+        step.budget.charge(failures);
+        Certificate_checker<d>& checker = repair_.checker();
+        checker.begin(position_);
         displacement_budget_.find_expired(step, checker);
         std::vector<Cell_index> changed;
         for (const Cell_index c : table_.cells())
             if (slices_.has_changed(c)) changed.push_back(c);
         checker.add_cells(changed);
+        finished = repair_.can_evaluate(step, room);
+        if (finished) {
+            const Stage_counts counts = checker.evaluate();
+            step.count(counts);
+            step.budget.charge(checker.cost(counts));
+            displacement_budget_.commit(step, checker);
+        } else {
+            displacement_budget_.undo(step);
+        }
+        report += step.report;
+        report.statistics.cost += step.budget.spent;
     }
-    if (failures + checker.pending_cost() > room) {
-        displacement_budget_.undo(step);
+    previous_ = std::move(step);
+    if (!finished) {
         displacement_budget_.invalidate();
-        previous_ = std::move(step);
         return false;
     }
-    const Stage_counts counts = checker.evaluate();
-    displacement_budget_.commit(step, checker);
-    report.statistics.evaluated += counts.total();
-    report.statistics.arithmetic += counts;
-    report.statistics.cost += failures + checker.cost(counts);
     tolerance_policy_.note_recomputed();
     ++report.statistics.tolerance_recomputations;
-    previous_ = std::move(step);
     return true;
 }
 
