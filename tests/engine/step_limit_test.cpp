@@ -58,12 +58,13 @@ TEMPLATE_TEST_CASE_SIG("No step of auto costs more than one and a half rebuilds 
     const std::vector<Case> in_2d{
         {"slab", "walk", 0.05}, {"slab", "walk", 0.07}, {"clusters", "walk", 0.2}, {"clusters", "walk", 0.001},
         {"uniform", "few", 0.01}, {"ball", "burst", 0.01}, {"lattice", "shear", 0.003},
-        {"lattice", "shear", 0.05, 1.5, 8}};
+        {"lattice", "shear", 0.05, 1.5, 8}, {"faces", "shear", 0.05}, {"slab", "burst", 0.008}};
     const std::vector<Case> in_3d{
         {"slab", "walk", 0.003}, {"slab", "walk", 0.01, 1.5, 4}, {"slab", "burst", 0.001},
         {"uniform", "walk", 0.03, 1.05}, {"ball", "walk", 0.03}, {"clusters", "walk", 0.003},
         {"clusters", "walk", 0.01}, {"clusters", "walk", 0.02}, {"clusters", "walk", 0.03},
-        {"ball", "few", 0.01}, {"ball", "burst", 0.001}, {"faces", "burst", 0.02, 1.48, 2}};
+        {"ball", "few", 0.01}, {"ball", "burst", 0.001}, {"faces", "burst", 0.02, 1.48, 2},
+        {"faces", "few", 0.003}};
     // clang-format on
     const std::vector<Case>& cases = d == 2 ? in_2d : in_3d;
     for (const auto& [family, motion, spacings, limit, seeds] : cases)

@@ -22,15 +22,15 @@ struct Cost_model<2> {
     // Per cell or facet, found by a sample:
     static constexpr double violated = 31.0;
     static constexpr double inverted = 246.0;
-    static constexpr double unclear = 20.0;
+    static constexpr double unclear = 8.0;
     // Per event:
-    static constexpr double alone = 3.8;      // a cell tested by itself, not with all others
-    static constexpr double flip = 30.0;      // besides the cells that are tested
-    static constexpr double point = 600.0;    // of a cavity that is rebuilt
-    static constexpr double filter = 1.9;     // a sign by itself
-    static constexpr double integers = 14.0;  // of fixed width
-    static constexpr double interval = 28.0;
-    static constexpr double exact = 200.0;         // by integers of any size
+    static constexpr double alone = 3.8;     // a cell tested by itself, not with all others
+    static constexpr double flip = 30.0;     // besides the cells that are tested
+    static constexpr double point = 600.0;   // of a cavity that is rebuilt
+    static constexpr double filter = 1.9;    // a sign by itself
+    static constexpr double integers = 6.0;  // of fixed width
+    static constexpr double interval = 13.0;
+    static constexpr double exact = 95.0;          // by integers of any size
     static constexpr double reinsertion = 1900.0;  // of a vertex, besides what is evaluated
     static constexpr double border = 0.8;          // a facet of the border, when it is walked
     // Per event, with tolerances:
@@ -55,14 +55,14 @@ struct Cost_model<3> {
     static constexpr double flip = 35.0;
     static constexpr double point = 380.0;
     static constexpr double filter = 1.9;
-    static constexpr double integers = 19.0;
-    static constexpr double interval = 45.0;
-    static constexpr double exact = 300.0;
+    static constexpr double integers = 8.0;
+    static constexpr double interval = 17.0;
+    static constexpr double exact = 190.0;
     static constexpr double reinsertion = 3000.0;
     static constexpr double border = 7.0;
     static constexpr double failure = 36.0;
     static constexpr double evaluation = 8.7;
-    static constexpr double star = 103.0;
+    static constexpr double star = 145.0;
     static constexpr double certificates = 20.0;
     static constexpr double expected = 11.4;
 };

@@ -37,22 +37,25 @@ class Rebuild_policy {
     [[nodiscard]] static double late_limit(std::size_t vertices) { return late_share * rebuild_cost(vertices); }
 
     /// The cost of flips whose least cost was estimated (Sign_evaluator::estimate): they find more to repair. Measured
-    /// in 2D: 1.2 to 1.7 times the estimate, except where they lead nowhere. In 3D, in 2,500 steps of seven families:
-    /// 1.2 times what was violated and 5.5 times what was inverted, with a spread of a quarter, for which a fifth is
-    /// added: where many cells are inverted, most of the vertices that are held back stay behind.
+    /// in 2D: 1.2 to 1.7 times the estimate, except where they lead nowhere; a little is added, since repair that costs
+    /// nearly as much as a rebuild wins less than is lost where it is given up. In 3D, in 2,500 steps of seven
+    /// families: 1.2 times what was violated and 5.5 times what was inverted, with a spread of a quarter, for which a
+    /// fifth is added: where many cells are inverted, most of the vertices that are held back stay behind.
     [[nodiscard]] static constexpr double expected(const Repair_estimate& e) {
-        return d == 2 ? 1.6 * (e.inverted + e.violated) : 6.6 * e.inverted + 1.45 * e.violated;
+        return d == 2 ? 1.8 * (e.inverted + e.violated) : 6.6 * e.inverted + 1.45 * e.violated;
     }
     /// The same for a repair limit of the step, when later stages have already cost this to decide signs: the estimate
     /// is by the filter, and where a good part of the signs need more, so do those of the flips. Measured on clusters
-    /// of points over six decades of scale: 4.3 to 5.4 times as much where later stages cost 0.17 to 0.2 of the limit.
+    /// of points over six decades of scale: 4.3 to 5.4 times as much where later stages cost 0.17 to 0.2 of the limit,
+    /// at prices twice as high as those in cost_model.h: this begins later than then, and costs no more by any motion
+    /// of bench/ (PROFILES.md).
     [[nodiscard]] static constexpr double expected(const Repair_estimate& e, double later_stages, double limit) {
         return expected(e) * (1.0 + 43.0 * std::max(0.0, later_stages / limit - 0.1));
     }
-    /// The cost at which such flips give up, for a repair limit of the step: when they cost clearly more than expected,
-    /// not only when they have cost as much as a rebuild.
-    [[nodiscard]] static constexpr double flips_limit(const Repair_estimate& estimate, double limit) {
-        return 1.5 * expected(estimate) + limit / 4.0;
+    /// The cost at which such flips give up, for a repair limit of the step of which the signs have cost a part: when
+    /// they cost clearly more than expected, not only when they have cost as much as a rebuild.
+    [[nodiscard]] static constexpr double flips_limit(const Repair_estimate& estimate, double spent, double limit) {
+        return 1.5 * expected(estimate) + std::clamp(0.45 * limit - spent, 0.0, limit / 4.0);
     }
 
     /// The cost at which work on a part gives up and everything is rebuilt instead.

@@ -176,7 +176,8 @@ bool Repair<d>::repair(Step<d>& step, const Motion_path<d>& path) {
         const Repair_estimate estimate = signs_.estimate();
         if (step.budget.spent + Rebuild_policy<d>::expected(estimate, step.budget.later_stages, limit) > limit)
             return false;
-        step.budget.limit = std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, limit));
+        step.budget.limit =
+            std::min(limit, step.budget.spent + Rebuild_policy<d>::flips_limit(estimate, step.budget.spent, limit));
     }
     const Repair_result& result = flip_repair_.repair(path, step.budget);
     step.budget.limit = step.mover == none ? std::max(limit, Rebuild_policy<d>::late_limit(mesh_.vertices())) : limit;

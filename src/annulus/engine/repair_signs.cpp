@@ -13,19 +13,27 @@ namespace annulus::inline v1 {
 template <int d>
 bool Repair<d>::signs_hold(Step<d>& step, double most) {
     const auto& t = mesh_.table();
-    step.infeasible = std::isfinite(most) && step.budget.spent + Rebuild_policy<d>::expected(signs_.estimate()) > most;
+    const Repair_estimate flips = std::isfinite(most) ? signs_.estimate() : Repair_estimate{};
+    step.infeasible = step.budget.spent + Rebuild_policy<d>::expected(flips) > most;
     if (step.infeasible) {
         step.count(signs_.take_counts());
         return false;
     }
-    // Signs that the filter leaves open may cost more than a rebuild: those that have been evaluated tell.
+    // Signs that the filter leaves open may cost more than a rebuild, and so may flips among them: those that have been
+    // evaluated tell.
     constexpr double evidence = 1.0 / 16.0, share = 0.6;  // of the limit
     const double before = step.budget.spent;
     const auto all = static_cast<double>(signs_.inverted().size() + signs_.violated().size());
     double evaluated = 0.0;
-    const auto goes_on = [&] {
+    const auto is_infeasible = [&] {
         const double cost = step.budget.spent - before;
-        step.infeasible = step.infeasible || (cost > evidence * most && before + cost / evaluated * all > share * most);
+        if (!(cost > evidence * most)) return false;
+        const double signs = before + cost / evaluated * all;
+        const double later_stages = step.budget.later_stages / evaluated * all;
+        return signs > share * most || signs + Rebuild_policy<d>::expected(flips, later_stages, most) > most;
+    };
+    const auto goes_on = [&] {
+        step.infeasible = step.infeasible || is_infeasible();
         ++evaluated;
         return !step.infeasible;
     };
