@@ -140,13 +140,15 @@ TEMPLATE_TEST_CASE_SIG("A step that is going to be rebuilt is given up early, di
     constexpr std::size_t n = 2000;
     for (const auto& [family, spacings] : {std::pair{"uniform", 0.1}, {"faces", 0.01}, {"sphere", 0.01}}) {
         CAPTURE(family);
+        // Of uniform points in 3D a sample tells before any sign is decided.
+        const double most = d == 3 && std::string_view(family) == "uniform" ? 1.12 : 1.25;
         bench::Scene<d> scene(family, "walk", n, spacings, 1);
         auto dt = moving<d>(scene.points(), Strategy::automatic);
         for (int step = 0; step < 24; ++step) {
             CAPTURE(step);
             scene.step();
             const Move_result report = dt.move_all(std::span<const Coordinates<d>>(scene.points()));
-            CHECK(report.statistics.cost < 1.25 * Rebuild_policy<d>::rebuild_cost(n));
+            CHECK(report.statistics.cost < most * Rebuild_policy<d>::rebuild_cost(n));
         }
     }
 }
